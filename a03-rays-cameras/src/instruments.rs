@@ -11,8 +11,6 @@ pub mod pixel_trace;
 pub mod recorded;
 mod seen_rays;
 
-pub use crate::kinds::sensitivity;
-
 /// What the wrappers around the parts of a view do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instruments {

@@ -115,7 +115,8 @@ impl NumberedFile {
                 let reach = footprint.reach(&number.place, PIXEL);
                 Response::of(value, center.channels(), reach, &mut |value| {
                     let view = self.moved(settings, number, value)?;
-                    Some(color_of(&view, settings, pixel).channels())
+                    let color = color_of(&view, settings, pixel);
+                    color.is_finite().then_some(color.channels())
                 })
             };
             progress.row(0, &mut std::iter::empty());
@@ -129,9 +130,9 @@ impl NumberedFile {
 
     /// The pixels of the picture that depend on the numbers of a line, by the engine. Each number is
     /// moved by a step that moves things by about a pixel; `picture` is the picture as it is, if it is
-    /// known.
+    /// known. The progress counts each number as a row.
     ///
-    /// The progress counts each number as a row. [`Error::Usage`] if the line has no numbers, and [`Error::Stopped`] if `progress` stops it.
+    /// [`Error::Usage`] if the line has no numbers, and [`Error::Stopped`] if `progress` stops it.
     pub fn pixels_of(
         &self,
         settings: &Settings,

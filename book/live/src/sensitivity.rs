@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 
-use a03_rays_cameras::instruments::sensitivity::NumberedFile;
+use a03_rays_cameras::kinds::sensitivity::NumberedFile;
 use common::sensitivity::{Influence, Response, Unit};
 use common::{Error, Image, Settings};
 use page::settings;

@@ -15,7 +15,7 @@ use crate::print::print;
 /// The commands.
 #[derive(Subcommand)]
 pub enum Command {
-    /// List every number behind a pixel, by the lesson's own functions
+    /// List every number behind a pixel, or how the numbers of a scene file change it
     Explain {
         /// The scene, as `list` names it, or a scene file that ends in .toml
         scene: String,

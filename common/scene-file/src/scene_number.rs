@@ -301,3 +301,83 @@ impl<'a> Lines<'a> {
         (line, before.chars().count() + 1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The numbers of a text for stage 7, each as it is written, with its table and its key.
+    fn numbers(text: &str) -> Vec<String> {
+        let file = SceneFile::read(text, 7, &[], &|_| Err("no mesh".to_owned())).unwrap();
+        assert_eq!(file.mistake, None);
+        let numbers = file.numbers(text);
+        let place = |number: &SceneNumber| {
+            let NumberPlace {
+                line,
+                columns,
+                bytes,
+                table,
+                key,
+                value,
+                ..
+            } = &number.place;
+            let written = &text[bytes.clone()];
+            let columns = columns.start..columns.end;
+            format!("{line}:{columns:?} {written} is {table} {key} = {value}")
+        };
+        numbers.iter().map(place).collect()
+    }
+
+    #[test]
+    fn each_form_of_a_color_is_three_numbers() {
+        let camera = "camera = { eye = [0, 0, 5], gaze = [0, 0, -1], angle = 40 }\n";
+        for (color, expected) in [
+            ("[1, 0, 0.5]", ["12:13 1", "15:16 0", "18:21 0.5"]),
+            ("\"#ff0080\"", ["13:15 ff", "15:17 00", "17:19 80"]),
+            ("'#f08'", ["13:14 f", "14:15 0", "15:16 8"]),
+            ("\"\"\"#f08\"\"\"", ["15:16 f", "16:17 0", "17:18 8"]),
+            ("\"red\"", ["11:16 \"red\""; 3]),
+            ("\"\\u0023f08\"", ["11:22 \"\\u0023f08\""; 3]),
+        ] {
+            let text = format!("{camera}[world]\nambient = {color}\n");
+            let found: Vec<_> = numbers(&text).split_off(7);
+            for (found, (place, channel)) in found
+                .iter()
+                .zip(expected.iter().zip(["red", "green", "blue"]))
+            {
+                let (columns, written) = place.split_once(' ').unwrap();
+                let columns = columns.replace(':', "..");
+                let begin = format!("3:{columns} {written} is [world] ambient {channel} = ");
+                assert!(found.starts_with(&begin), "{color}: {found}, not {begin}");
+            }
+            assert_eq!(found.len(), 3);
+        }
+    }
+
+    #[test]
+    fn tables_have_the_same_numbers_in_every_form() {
+        let text = "\u{FEFF}camera.eye = [0, 0, 5]\ncamera.gaze = [0, 0, -1]\ncamera.angle = 4e1\n\
+            # ü\nmaterial = { \"ü\" = { diffuse = \"red\" } }\n\
+            sphere = [{ center = [1,\n  2, 3], radius = +1_0.5, material = \"ü\" }]\n\
+            [[group]]\ntransform = [{ scale = [1, 2, 3] }, { rotate_x = 5 }]\n\
+            sphere = [{ center = [0, 0, 0], radius = 1, color = \"red\", \
+            transform = [{ translate = [7, 8, 9] }] }]\n\
+            [define.a]\n[[define.a.box]]\nlbf = [0, 0, 0]\nrun = [1, 1, 1]\ncolor = \"red\"\n\
+            [[use]]\nname = \"a\"\n[[use]]\nname = \"a\"\n";
+        let found = numbers(text);
+        for expected in [
+            "1:15..16 0 is [camera] eye x = 0",
+            "3:16..19 4e1 is [camera] angle = 40",
+            "5:32..37 \"red\" is [material.ü] diffuse red = 1",
+            "7:3..4 2 is [[sphere]] #1 center y = 2",
+            "7:19..25 +1_0.5 is [[sphere]] #1 radius = 10.5",
+            "9:28..29 2 is [[group]] #1 transform step 1: scale y = 2",
+            "9:50..51 5 is [[group]] #1 transform step 2: rotate_x = 5",
+            "10:91..92 8 is [[group]] #1 [[sphere]] #1 transform step 1: translate y = 8",
+            "13:11..12 0 is [define.a] [[box]] #1 lbf y = 0",
+        ] {
+            let count = found.iter().filter(|found| *found == expected).count();
+            assert_eq!(count, 1, "{expected}: {found:#?}");
+        }
+    }
+}

@@ -60,8 +60,8 @@ const FRACTIONS: [f64; 3] = [1.0 / 16.0, 0.25, 1.0];
 const SHRUNK: f64 = 1.0 / 16.0;
 /// Most halvings. After 40 of them the interval is as short as rounding allows, or nearly so.
 const HALVINGS: usize = 40;
-/// Rows of the extrapolation: the last step is the first one divided by 64.
-const ROWS: usize = 7;
+/// Rows of the extrapolation: the last step is the first one divided by 512.
+const ROWS: usize = 10;
 /// A change of at most this fraction of the colour is rounding. It allows some hundred roundings,
 /// which a grazing ray can make larger.
 const ROUNDING: f64 = 1e-13;
@@ -98,8 +98,8 @@ impl Response {
         let [below, above] = sides.map(|side| side.step(value));
         match (below, above) {
             (Some(below), Some(above)) => two_sided(value, below.min(above), center, at),
-            (Some(step), None) => one_sided(value, -step, center, at).into_smooth(),
-            (None, Some(step)) => one_sided(value, step, center, at).into_smooth(),
+            (Some(step), None) => slope_of_side(value, -step, center, at),
+            (None, Some(step)) => slope_of_side(value, step, center, at),
             (None, None) => Self::None,
         }
     }
@@ -201,10 +201,28 @@ fn jump_between(value: f64, near: (f64, Channels), far: (f64, Channels), at: At)
             near = middle;
         }
     }
-    Some(Edge {
+    let edge = Edge {
         distance: near.0,
         jump: minus(far.1, near.1),
-    })
+    };
+    is_calm_beside(value, near, far, at).then_some(edge)
+}
+
+/// Whether the colour changes little on both sides of a jump. Rounding, as in the picture of an eye
+/// that is very far away, changes it there as much.
+fn is_calm_beside(value: f64, near: (f64, Channels), far: (f64, Channels), at: At) -> bool {
+    let jump = difference(near.1, far.1);
+    // At least some roundings away.
+    let least = 16.0 * f64::EPSILON * value.abs().max(far.0.abs());
+    let step = (far.0 - near.0).abs().max(least).copysign(far.0);
+    let mut is_calm = |from: (f64, Channels), step: f64| {
+        let color = at(value + from.0 + step);
+        color.is_none_or(|color| difference(color, from.1) < jump / 4.0)
+    };
+    let steps = [1.0, 2.0, 3.0].map(|times| times * step);
+    steps
+        .into_iter()
+        .all(|step| is_calm(near, -step) && is_calm(far, step))
 }
 
 /// A slope with an estimate of its error.
@@ -227,18 +245,35 @@ impl Estimate {
     }
 }
 
+/// A value of the number, and the colour there.
+struct Sample {
+    place: f64,
+    color: Channels,
+}
+
+/// The colours at the displacements h, h/2, h/4, …; none if one of them has no colour.
+fn samples(value: f64, step: f64, at: At) -> Option<Vec<Sample>> {
+    let mut samples = Vec::new();
+    for row in 0..ROWS {
+        let place = value + step / f64::from(1_u32 << row);
+        let color = at(place)?;
+        samples.push(Sample { place, color });
+    }
+    Some(samples)
+}
+
 /// The slope where both sides are allowed.
 fn two_sided(value: f64, step: f64, center: Channels, at: At) -> Response {
-    let [above, below] = [step, -step].map(|step| one_sided(value, step, center, at));
-    let central = extrapolated(4.0, |row| {
-        let step = step / f64::from(1_u32 << row);
-        let (right, left) = (value + step, value - step);
-        let change = minus(at(right)?, at(left)?);
-        Some(change.map(|change| change / (right - left)))
-    });
-    let Some(central) = central else {
-        return above.into_smooth();
+    let (Some(right), Some(left)) = (samples(value, step, at), samples(value, -step, at)) else {
+        return Response::Fixed("some smaller or larger values are not allowed".to_owned());
     };
+    let [above, below] = [&right, &left].map(|side| one_sided(value, center, side));
+    let pairs = right.iter().zip(&left);
+    let central = pairs.map(|(right, left)| {
+        let change = minus(right.color, left.color);
+        change.map(|change| change / (right.place - left.place))
+    });
+    let central = extrapolated(4.0, central);
     let [first, last] = [0, 1].map(|end| difference(above.ends[end], below.ends[end]));
     let slopes = magnitude(above.slope).max(magnitude(below.slope));
     // Of a smooth function the two differ by the step times its second derivative.
@@ -251,29 +286,29 @@ fn two_sided(value: f64, step: f64, center: Channels, at: At) -> Response {
     central.into_smooth()
 }
 
-/// The slope on one side of the value, that of the sign of the step.
-fn one_sided(value: f64, step: f64, center: Channels, at: At) -> Estimate {
-    let estimate = extrapolated(2.0, |row| {
-        let place = value + step / f64::from(1_u32 << row);
-        let change = minus(at(place)?, center);
-        Some(change.map(|change| change / (place - value)))
+/// The slope where only the side of the sign of the step is allowed.
+fn slope_of_side(value: f64, step: f64, center: Channels, at: At) -> Response {
+    match samples(value, step, at) {
+        Some(samples) => one_sided(value, center, &samples).into_smooth(),
+        None => Response::Fixed("some values beside it are not allowed".to_owned()),
+    }
+}
+
+/// The slope on one side of the value.
+fn one_sided(value: f64, center: Channels, samples: &[Sample]) -> Estimate {
+    let quotients = samples.iter().map(|sample| {
+        let change = minus(sample.color, center);
+        change.map(|change| change / (sample.place - value))
     });
-    estimate.unwrap_or(Estimate {
-        slope: [0.0; 3],
-        error: f64::INFINITY,
-        ends: [[0.0; 3]; 2],
-    })
+    extrapolated(2.0, quotients)
 }
 
 /// The limit of difference quotients, each with half of the step before, whose errors begin with
 /// the step for the factor 2, and with its square for the factor 4.
-fn extrapolated(
-    factor: f64,
-    mut quotient: impl FnMut(usize) -> Option<Channels>,
-) -> Option<Estimate> {
+fn extrapolated(factor: f64, quotients: impl Iterator<Item = Channels>) -> Estimate {
     let mut rows: Vec<Vec<Channels>> = Vec::new();
-    for row in 0..ROWS {
-        let mut columns = vec![quotient(row)?];
+    for quotient in quotients {
+        let mut columns = vec![quotient];
         let mut power = 1.0;
         for before in rows.last().into_iter().flatten() {
             power *= factor;
@@ -300,7 +335,7 @@ fn extrapolated(
         }
     }
     let error = error.into_iter().fold(0.0, f64::max);
-    Some(Estimate { slope, error, ends })
+    Estimate { slope, error, ends }
 }
 
 fn minus(a: Channels, b: Channels) -> Channels {
@@ -313,4 +348,84 @@ fn magnitude(a: Channels) -> f64 {
 
 fn difference(a: Channels, b: Channels) -> f64 {
     magnitude(minus(a, b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The response of a function at a value, with a reach of 1/100.
+    fn of(value: f64, f: fn(f64) -> f64) -> Response {
+        Response::of(value, [f(value); 3], 0.01, &mut |x| Some([f(x); 3]))
+    }
+
+    #[track_caller]
+    fn assert_slope(response: &Response, expected: f64) {
+        let Response::Smooth { slope, error } = response else {
+            panic!("{response:?}");
+        };
+        let difference = (slope[0] - expected).abs();
+        assert!(difference <= 1e-9 * expected.abs(), "{slope:?}");
+        assert!(*error <= 1e-6 * expected.abs(), "{error}");
+    }
+
+    #[test]
+    fn smooth_functions_have_their_derivative() {
+        assert_slope(&of(2.0, |x| 3.0 * x), 3.0);
+        assert_slope(&of(2.0, |x| x * x * x), 12.0);
+        assert_slope(&of(0.0, |x| x - x * x), 1.0);
+        assert_slope(&of(1.0, libm::exp), std::f64::consts::E);
+        // A narrow highlight: its width is a tenth of the reach.
+        let highlight = |x: f64| libm::exp(-1e6 * x * x);
+        let expected = -2e6 * 5e-4 * libm::exp(-0.25);
+        assert_slope(&of(5e-4, highlight), expected);
+        // Steep, but without an edge.
+        let Response::Smooth { slope, .. } = of(1e-4, |x| x.max(0.0).sqrt()) else {
+            panic!("a root");
+        };
+        assert!((slope[0] - 50.0).abs() < 50e-6, "{slope:?}");
+        assert_eq!(of(7.0, |_| 0.25), Response::None);
+    }
+
+    #[test]
+    fn jumps_and_kinks_are_told_apart() {
+        for place in [1.0 + 1e-12, 1.003, 0.9951] {
+            let mut f = |x: f64| Some([if x < place { x } else { x + 0.5 }; 3]);
+            let center = f(1.0).unwrap();
+            let Response::Edge(edge) = Response::of(1.0, center, 0.01, &mut f) else {
+                panic!("{place}");
+            };
+            let distance = place - 1.0;
+            assert!((edge.distance - distance).abs() < 1e-9, "{edge:?}");
+            // Seen from the value: beyond a smaller place it is darker.
+            let jump = 0.5_f64.copysign(distance);
+            assert!((edge.jump[0] - jump).abs() < 1e-6, "{edge:?}");
+        }
+        let Response::Kink { below, above } = of(0.0, |x| x.max(2.0 * x)) else {
+            panic!("a kink");
+        };
+        assert!((below[1] - 1.0).abs() < 1e-9 && (above[1] - 2.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn at_the_end_of_a_range_one_side_is_enough() {
+        let mut f = |x: f64| (x >= 0.0).then_some([x * (1.0 + x); 3]);
+        assert_slope(&Response::of(0.0, [0.0; 3], 0.01, &mut f), 1.0);
+        let mut near = |x: f64| (x > 0.999).then_some([x * x; 3]);
+        assert_slope(&Response::of(1.0, [1.0; 3], 0.01, &mut near), 2.0);
+        let mut only = |x: f64| (x == 1.0).then_some([1.0; 3]);
+        let fixed = Response::of(1.0, [1.0; 3], 0.01, &mut only);
+        assert!(matches!(fixed, Response::Fixed(_)), "{fixed:?}");
+    }
+
+    #[test]
+    fn rounding_is_no_edge() {
+        // The bits of the value decide about a millionth of the colour.
+        let noisy = |x: f64| {
+            let bits = x.to_bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40;
+            x + 1e-6 * bits as f64 / f64::from(1 << 24)
+        };
+        let response = of(1.0, noisy);
+        assert!(!matches!(response, Response::Edge(_)), "{response:?}");
+    }
 }
