@@ -119,10 +119,13 @@ pub fn enclosed<const N: usize>(numbers: [f64; N]) -> [Enclosure; N] {
     numbers.map(Enclosure::from)
 }
 
-/// Of a ray that may be parallel to the plane, `t` is everything, and the decision stays open.
+/// Of a ray that may be parallel to the plane or not, `t` is everything, and the decision stays open.
 fn hits_plane(plane: &Plane, line: &Line<Enclosure>, within: Interval) -> Decision {
     let point = enclosed(numbers(plane, "point"));
     let normal = enclosed(numbers(plane, "normal"));
+    if dot(&line.direction, &normal).is_zero() {
+        return Some(false);
+    }
     contains(within, formula::plane::t(&point, &normal, line))
 }
 
@@ -187,8 +190,11 @@ fn hits_triangle(triangle: &Triangle, line: &Line<Enclosure>, within: Interval) 
     let n = cross(&difference(&b, &a), &difference(&c, &a));
     let t = dot(&a, &n) / dot(d, &n);
     let is_within = contains(within, t);
-    let is_beside_no_edge = signs.iter().all(Option::is_some);
-    if is_beside_no_edge || is_within == Some(false) {
+    // Edges belong to the triangle.
+    let is_decided = sides
+        .iter()
+        .all(|side| side.sign().is_some() || side.is_zero());
+    if is_decided || is_within == Some(false) {
         is_within
     } else {
         None

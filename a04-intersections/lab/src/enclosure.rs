@@ -1,9 +1,14 @@
 //! `Enclosure`: interval arithmetic with outward rounding, which proves what rounding leaves open.
 //!
+//! An end moves outwards only if the operation has rounded it the other way, so that results without rounding stay
+//! single numbers: an equality of such numbers is decided, too.
+//!
 //! The result of an operation holds the exact result for all numbers that its operands hold
 //! (R. E. Moore, R. B. Kearfott, M. J. Cloud: Introduction to Interval Analysis, 2009, chapter 2).
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use a02_lab::exact::{RoundedSum, sum_with_error};
 
 /// All numbers from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,14 +23,6 @@ impl Enclosure {
         high: f64::INFINITY,
     };
 
-    /// The numbers between rounded ends, which are off by less than one unit in the last place.
-    fn outwards(low: f64, high: f64) -> Self {
-        Self {
-            low: low.next_down(),
-            high: high.next_up(),
-        }
-    }
-
     /// Whether all numbers are above 0 (true) or below (false); `None` if it is open.
     pub fn sign(self) -> Option<bool> {
         if self.low > 0.0 {
@@ -38,14 +35,25 @@ impl Enclosure {
     }
 
     /// From the least to the greatest result of the ends.
-    fn hull(self, other: Self, operation: fn(f64, f64) -> f64) -> Self {
-        let [a, b] = [other.low, other.high].map(|end| operation(self.low, end));
-        let [c, d] = [other.low, other.high].map(|end| operation(self.high, end));
-        // `min` and `max` drop a NaN.
-        if (a + b + c + d).is_nan() {
-            return Self::EVERYTHING;
+    fn hull(self, other: Self, operation: fn(f64, f64) -> Rounded) -> Self {
+        let mut hull: Option<Self> = None;
+        for a in [self.low, self.high] {
+            for b in [other.low, other.high] {
+                let result = operation(a, b);
+                if result.value.is_nan() {
+                    return Self::EVERYTHING;
+                }
+                let (low, high) = (result.below(), result.above());
+                hull = Some(match hull {
+                    Some(hull) => Self {
+                        low: hull.low.min(low),
+                        high: hull.high.max(high),
+                    },
+                    None => Self { low, high },
+                });
+            }
         }
-        Self::outwards(a.min(b).min(c).min(d), a.max(b).max(c).max(d))
+        hull.unwrap_or(Self::EVERYTHING)
     }
 
     /// The greater of two numbers, of which each lies in one of the enclosures.
@@ -66,15 +74,113 @@ impl Enclosure {
         }
     }
 
-    fn is_zero(self) -> bool {
+    /// Whether 0 is the only number.
+    pub fn is_zero(self) -> bool {
         self.low == 0.0 && self.high == 0.0
     }
 
     /// The root of numbers that are not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
-        Self::outwards(self.low.max(0.0).sqrt(), self.high.sqrt())
+        Self {
+            low: root(self.low.max(0.0)).below(),
+            high: root(self.high).above(),
+        }
     }
+}
+
+/// A rounded result, and on which side of it the exact one lies.
+#[derive(Clone, Copy)]
+struct Rounded {
+    value: f64,
+    /// The exact result less the rounded one, or a number of the same sign; NaN if it is not known.
+    rest: f64,
+}
+
+/// Below this magnitude a rest may vanish.
+const LEAST: f64 = 1e-280;
+
+impl Rounded {
+    /// A result whose rest is right unless one of these magnitudes is too small or not finite.
+    fn new(value: f64, rest: f64, magnitudes: [f64; 2]) -> Self {
+        let is_known = magnitudes
+            .into_iter()
+            .all(|x| x == 0.0 || (LEAST..f64::INFINITY).contains(&x.abs()));
+        Self {
+            value,
+            rest: if is_known { rest } else { f64::NAN },
+        }
+    }
+
+    /// A number that is not above the exact result.
+    fn below(self) -> f64 {
+        if self.rest >= 0.0 {
+            self.value
+        } else {
+            self.value.next_down()
+        }
+    }
+
+    /// A number that is not below the exact result.
+    fn above(self) -> f64 {
+        if self.rest <= 0.0 {
+            self.value
+        } else {
+            self.value.next_up()
+        }
+    }
+}
+
+/// Sums are exact below the range of normal numbers, too.
+fn sum(a: f64, b: f64) -> Rounded {
+    let RoundedSum { sum, error } = sum_with_error(a, b);
+    Rounded {
+        value: sum,
+        rest: if sum.is_finite() { error } else { f64::NAN },
+    }
+}
+
+#[allow(
+    clippy::disallowed_methods,
+    reason = "one rounding instead of two gives the exact rest"
+)]
+fn product(a: f64, b: f64) -> Rounded {
+    let product = a * b;
+    if a == 0.0 || b == 0.0 {
+        return Rounded {
+            value: product,
+            rest: 0.0,
+        };
+    }
+    // A product that is rounded to 0 is not known, as a magnitude of 0 would be.
+    let magnitude = if product == 0.0 { f64::NAN } else { product };
+    Rounded::new(product, a.mul_add(b, -product), [magnitude, product])
+}
+
+#[allow(
+    clippy::disallowed_methods,
+    reason = "one rounding instead of two gives the exact rest"
+)]
+fn quotient(a: f64, b: f64) -> Rounded {
+    let quotient = a / b;
+    if a == 0.0 {
+        return Rounded {
+            value: quotient,
+            rest: 0.0,
+        };
+    }
+    let rest = (-quotient).mul_add(b, a) * b.signum();
+    let magnitude = if quotient == 0.0 { f64::NAN } else { quotient };
+    Rounded::new(quotient, rest, [a, magnitude])
+}
+
+#[allow(
+    clippy::disallowed_methods,
+    reason = "one rounding instead of two gives the exact rest"
+)]
+fn root(x: f64) -> Rounded {
+    let root = x.sqrt();
+    Rounded::new(root, (-root).mul_add(root, x), [x, root])
 }
 
 impl From<f64> for Enclosure {
@@ -96,7 +202,10 @@ impl Add for Enclosure {
         } else if other.is_zero() {
             self
         } else {
-            Self::outwards(self.low + other.low, self.high + other.high)
+            Self {
+                low: sum(self.low, other.low).below(),
+                high: sum(self.high, other.high).above(),
+            }
         }
     }
 }
@@ -131,7 +240,7 @@ impl Mul for Enclosure {
         if self.is_zero() || other.is_zero() {
             return Self::from(0.0);
         }
-        self.hull(other, Mul::mul)
+        self.hull(other, product)
     }
 }
 
@@ -146,6 +255,6 @@ impl Div for Enclosure {
         if self.is_zero() {
             return self;
         }
-        self.hull(other, Div::div)
+        self.hull(other, quotient)
     }
 }

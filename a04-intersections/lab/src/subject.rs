@@ -31,6 +31,9 @@ pub struct Subject {
     pub make: fn(&[f64]) -> Option<Box<dyn Geometry>>,
     /// The point near the shape that three numbers, mostly from -1 to 1, stand for.
     pub aim: fn(&[f64], Triple) -> Triple,
+    /// Changes the size or the position of a shape of these numbers, so that its border passes through a point, up
+    /// to rounding.
+    pub through: fn(&mut [f64], Triple),
     pub decide: Decide,
     pub exact: fn(&[f64], &Line) -> Option<ExactHit>,
     /// The `t` of the nearest hit by the protocol's formula.

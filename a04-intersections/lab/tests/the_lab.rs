@@ -207,8 +207,9 @@ fn terms_of<N: NumberType>(shot: &sphere::Shot<N>) -> Terms<N> {
     terms(&shot.from_center(), shot.radius, &shot.line.direction)
 }
 
-/// The search finds the protocol's cancelling discriminant, and no fault of ours: a handful of
-/// roundings lie between the given numbers and `t`. Of a triangle only the decisions are exact.
+/// The search finds the protocol's cancelling discriminant and its planes at an infinite `t`, as in case B02, and no
+/// fault of ours: a handful of roundings lie between the given numbers and `t`. Of a triangle only the decisions
+/// are exact.
 #[test]
 fn the_worst_inputs_are_found() {
     for (name, least, most) in [
@@ -218,14 +219,16 @@ fn the_worst_inputs_are_found() {
         ("triangle", 1e6, f64::INFINITY),
     ] {
         let subject = Subject::named(&SUBJECTS, name).unwrap();
-        assert!(
-            subject.worst(&subject.protocol, INPUTS).error > least,
-            "{name}"
-        );
+        let theirs = subject.worst(&subject.protocol, INPUTS);
+        assert!(theirs.error > least, "{name}");
+        assert_eq!(theirs.endless.is_some(), name == "plane", "{name}");
         let ours = subject.worst(&|x, ray| subject.lesson(x, ray), INPUTS);
         assert!(
-            ours.error < most && ours.wrong.is_none(),
-            "{name}: {ours:?}"
+            ours.error < most && ours.wrong.is_empty() && ours.endless.is_none(),
+            "{name}: {} {:?} {:?}",
+            ours.error,
+            ours.wrong.first(),
+            ours.endless
         );
     }
 }
@@ -297,7 +300,7 @@ fn every_decision_in_the_pictures_is_right() {
         ("scene-1", scenes::scene_1(), 0),
         ("scene-2", scenes::scene_2(), 0),
         ("scene-3", scenes::scene_3(), 0),
-        ("scene-4", scenes::scene_4(), 194),
+        ("scene-4", scenes::scene_4(), 134),
         ("scene-5", scenes::scene_5(), 0),
         ("scene-6", scenes::scene_6(), 0),
     ] {

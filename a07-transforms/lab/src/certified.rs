@@ -40,10 +40,19 @@ fn hits_disc(disc: &Disc, line: &Line<Enclosure>, within: Interval) -> Decision 
     let center = enclosed(numbers(disc, "center"));
     let normal = enclosed(numbers(disc, "normal"));
     let [radius] = enclosed(numbers(disc, "radius"));
+    if dot(&line.direction, &normal).is_zero() {
+        return Some(false);
+    }
     let t = plane::t(&center, &normal, line);
     let hit: Triple<Enclosure> = [0, 1, 2].map(|axis| line.origin[axis] + line.direction[axis] * t);
     let from_center = difference(&hit, &center);
-    let is_beyond = (dot(&from_center, &from_center) - radius * radius).sign();
+    let beyond = dot(&from_center, &from_center) - radius * radius;
+    // The rim belongs to the disc.
+    let is_beyond = if beyond.high <= 0.0 {
+        Some(false)
+    } else {
+        beyond.sign()
+    };
     match (contains(within, t), is_beyond) {
         (Some(false), _) | (_, Some(true)) => Some(false),
         (is_hit, Some(false)) => is_hit,

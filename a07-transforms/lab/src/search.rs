@@ -24,6 +24,7 @@ pub const DISC: Subject = Subject {
     written: "Disc::new(Point3::new(#, #, #), Normal3::new(#, #, #), #)",
     make,
     aim,
+    through,
     decide,
     exact,
     protocol,
@@ -43,6 +44,11 @@ fn aim(x: &[f64], aim: Triple) -> Triple {
     let normal = vector(triple(&x[3..]));
     let across = normal.cross(vector(aim)).normalized().unwrap_or_default();
     array(point(triple(x)) + across * (x[6] * aim[0]))
+}
+
+/// The radius is the distance.
+fn through(x: &mut [f64], place: Triple) {
+    x[6] = (point(place) - point(triple(x))).magnitude();
 }
 
 fn exact(x: &[f64], line: &Line) -> Option<ExactHit> {

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::fs;
 
+use a02_lab::exact::DoubleDouble;
 use a03_rays_cameras::View;
 use a04_lab::certified::{Uncertified, picture};
 use a04_lab::search::INPUTS;
@@ -34,7 +35,47 @@ fn certified<S, L>(world: LitWorld<S, L>) -> LitWorld<S, L> {
 fn the_worst_disc_is_as_good_as_its_plane() {
     let subject = &search::SUBJECTS[0];
     let worst = subject.worst(&|x, ray| subject.lesson(x, ray), INPUTS);
-    assert!(worst.error < 8.0 && worst.wrong.is_none(), "{worst:?}");
+    assert!(
+        worst.error < 8.0 && worst.wrong.is_empty() && worst.endless.is_none(),
+        "{worst:?}"
+    );
+}
+
+/// The protocol loses the rim of a disc, as in case B12, and points within it whose rounded distance is the radius,
+/// as in case B13.
+#[test]
+fn the_search_finds_the_lost_rims() {
+    let subject = &search::SUBJECTS[0];
+    let worst = subject.worst(&subject.protocol, INPUTS);
+    let beyond: Vec<_> = worst
+        .borders
+        .iter()
+        .filter_map(|x| beyond_the_rim(x))
+        .collect();
+    assert!(beyond.contains(&0.0), "B12");
+    assert!(beyond.iter().any(|squared| *squared < 0.0), "B13");
+}
+
+/// The square of the distance from the middle of a disc less that of the radius, for a ray along an axis across
+/// the disc, which needs no rounding.
+fn beyond_the_rim(numbers: &[f64]) -> Option<f64> {
+    let [cx, cy, cz, nx, ny, nz, radius, ox, oy, oz, dx, dy, dz] = *numbers else {
+        return None;
+    };
+    let exact = |x: f64| DoubleDouble::from(x);
+    let mut squared = -(exact(radius) * exact(radius));
+    let mut crossed = 0;
+    for [c, n, o, d] in [[cx, nx, ox, dx], [cy, ny, oy, dy], [cz, nz, oz, dz]] {
+        if n != 0.0 && d != 0.0 {
+            crossed += 1;
+        } else if n == 0.0 && d == 0.0 {
+            let out = exact(o) - exact(c);
+            squared = squared + out * out;
+        } else {
+            return None;
+        }
+    }
+    (crossed == 1).then_some(squared.value())
 }
 
 /// Each hit, and which of two is nearer, for the rays as they were rounded.

@@ -15,6 +15,7 @@ pub const BOX: Subject = Subject {
     written: "AxisAlignedBox::new(Point3::new(#, #, #), Point3::new(#, #, #))",
     make,
     aim,
+    through,
     decide,
     exact,
     protocol,
@@ -30,6 +31,11 @@ fn aim(numbers: &[f64], aim: Triple) -> Triple {
         let (a, b) = (numbers[axis], numbers[axis + 3]);
         a + 0.5 * (b - a) * (aim[axis] + 1.0)
     })
+}
+
+/// The second corner lies there.
+fn through(numbers: &mut [f64], point: Triple) {
+    numbers[3..6].copy_from_slice(&point);
 }
 
 /// Where a ray meets a face of a box.

@@ -15,6 +15,7 @@ pub const PLANE: Subject = Subject {
     written: "Plane::new(Point3::new(#, #, #), Normal3::new(#, #, #))",
     make,
     aim,
+    through,
     decide,
     exact,
     protocol,
@@ -31,6 +32,11 @@ fn make(numbers: &[f64]) -> Option<Box<dyn Geometry>> {
 
 fn aim(numbers: &[f64], aim: Triple) -> Triple {
     [0, 1, 2].map(|axis| numbers[axis] + aim[axis])
+}
+
+/// The point of the plane lies there.
+fn through(numbers: &mut [f64], point: Triple) {
+    numbers[..3].copy_from_slice(&point);
 }
 
 fn exact(numbers: &[f64], line: &Line) -> Option<ExactHit> {

@@ -15,6 +15,7 @@ pub const SPHERE: Subject = Subject {
     written: "Sphere::new(Point3::new(#, #, #), #)",
     make,
     aim,
+    through,
     decide,
     exact,
     protocol,
@@ -36,6 +37,11 @@ fn make(numbers: &[f64]) -> Option<Box<dyn Geometry>> {
 fn aim(numbers: &[f64], aim: Triple) -> Triple {
     let radius = numbers[3];
     [0, 1, 2].map(|axis| numbers[axis] + radius * aim[axis])
+}
+
+/// The radius is the distance.
+fn through(numbers: &mut [f64], place: Triple) {
+    numbers[3] = (point(place) - point(triple(numbers))).magnitude();
 }
 
 fn exact(numbers: &[f64], line: &Line) -> Option<ExactHit> {

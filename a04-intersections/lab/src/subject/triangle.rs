@@ -14,6 +14,7 @@ pub const TRIANGLE: Subject = Subject {
     written: "Triangle::new(Point3::new(#, #, #), Point3::new(#, #, #), Point3::new(#, #, #))",
     make,
     aim,
+    through,
     decide,
     exact,
     protocol,
@@ -34,6 +35,11 @@ fn aim(numbers: &[f64], aim: Triple) -> Triple {
         let (along_b, along_c) = (b[axis] - a[axis], c[axis] - a[axis]);
         a[axis] + along_b * aim[0] + along_c * aim[1]
     })
+}
+
+/// The second corner lies there.
+fn through(numbers: &mut [f64], point: Triple) {
+    numbers[3..6].copy_from_slice(&point);
 }
 
 #[expect(
