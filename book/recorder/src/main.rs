@@ -1,6 +1,8 @@
 //! Measures all experiments of all stages in one build and on one thread, and writes a file for each of
 //! them. `cargo record` builds this program fully optimised, and as `--release`, and runs both.
 
+mod renderers;
+
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -66,6 +68,10 @@ fn record(arguments: &Arguments) -> Result<(), String> {
             if scene.name == SAMPLED_SCENE {
                 let experiment = scene_report::experiment(scene);
                 recorder.record(stage, experiment.map_err(|error| error.to_string())?)?;
+            }
+            if renderers::SCENES.contains(&scene.name) {
+                let name = format!("render-{}", scene.name);
+                recorder.record(stage, renderers::experiment(&name, scene))?;
             }
         }
     }

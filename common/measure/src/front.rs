@@ -211,12 +211,21 @@ fn errors_in_words(unit: Unit, own: &[&Contender]) -> Option<String> {
     let words = |one: &Contender| match unit {
         _ if one.error == 0.0 => "no error".to_owned(),
         Unit::Fraction => format!("{} % wrong", compact(libm::round(1e3 * one.error) / 10.0)),
-        _ => format!("{:.1e}", one.error),
+        _ => two_digits(one.error),
     };
     match own {
         [] => None,
         [only] => Some(words(only)),
         [fastest, .., slowest] => Some(format!("{} to {}", words(fastest), words(slowest))),
+    }
+}
+
+/// A number with two digits, and with an exponent where it would have many zeros.
+fn two_digits(number: f64) -> String {
+    let text = format!("{number:.1e}");
+    match text.parse::<f64>() {
+        Ok(rounded) if (1e-3..1e3).contains(&rounded) => rounded.to_string(),
+        _ => text,
     }
 }
 

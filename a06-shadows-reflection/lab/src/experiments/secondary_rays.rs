@@ -37,6 +37,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         },
         WrongDecisions {
             name: "acne-of-large-shapes",
+            opposite: Some("leaks-of-large-shapes"),
             question: "How large may a shape be?",
             parameter: "size of the shape (sizes of the view)",
             sets: by_ratio,
@@ -44,6 +45,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         },
         WrongDecisions {
             name: "leaks-of-large-shapes",
+            opposite: Some("acne-of-large-shapes"),
             question: "Which rays find an object near the surface of a large shape?",
             parameter: "size of the shape (sizes of the view)",
             sets: by_ratio,
@@ -72,6 +74,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         },
         WrongDecisions {
             name: "acne-of-needles",
+            opposite: Some("leaks-of-needles"),
             question: "How thin may a triangle be?",
             parameter: "longest edge / least height",
             sets: by_aspect,
@@ -79,6 +82,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         },
         WrongDecisions {
             name: "leaks-of-needles",
+            opposite: Some("acne-of-needles"),
             question: "Which rays find an object near the surface of a needle?",
             parameter: "longest edge / least height",
             sets: by_aspect,

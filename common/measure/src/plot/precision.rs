@@ -19,12 +19,12 @@ const WIDE: f64 = 740.0;
 const COLUMNS: usize = 6;
 
 /// The left side of the first panel, and the gaps between panels.
-const LEFT: f64 = 46.0;
+const LEFT: f64 = 50.0;
 const GAP: f64 = 9.0;
 const ROW_GAP: f64 = 26.0;
 
 /// The width of the names beside the panels.
-const NAMES: f64 = 168.0;
+const NAMES: f64 = 178.0;
 
 /// The upper side of the first panel, and the heights of panels.
 const TOP: f64 = 74.0;
@@ -263,8 +263,9 @@ struct Drawing {
 }
 
 fn draw(words: &Words, panels: &[Panel], curves: &[Curve]) -> String {
-    let columns = panels.len().min(COLUMNS);
-    let rows = panels.len().div_ceil(COLUMNS);
+    // As equal rows as possible.
+    let rows = panels.len().div_ceil(COLUMNS).max(1);
+    let columns = panels.len().div_ceil(rows).max(1);
     let width = if panels.len() > 2 { WIDE } else { NARROW };
     let panel_height = if rows > 1 { HEIGHT } else { HEIGHT_OF_ONE };
     let gaps = GAP * (columns - 1) as f64;
@@ -309,12 +310,12 @@ fn draw(words: &Words, panels: &[Panel], curves: &[Curve]) -> String {
         &words.x,
     );
     for (n, panel) in panels.iter().enumerate() {
-        let (row, column) = (n / COLUMNS, n % COLUMNS);
+        let (row, column) = (n / columns, n % columns);
         let corner = [
             LEFT + (panel_width + GAP) * column as f64,
             TOP + row_height * row as f64,
         ];
-        let is_last = n + COLUMNS >= panels.len();
+        let is_last = n + columns >= panels.len();
         drawing.draw_panel(panel, curves.len(), corner, column == 0, is_last);
     }
     drawing.draw_names(panels, curves, width - NAMES, bottom);

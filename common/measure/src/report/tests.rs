@@ -57,7 +57,7 @@ square-root: Is the error one over the square root?
     let remarks = "  \
   clever, new: no power law: less than a decade; beside a < b at 20: 2.00 times its error, time \
   no difference beyond 34 %
-  unbeaten in error and time: clever, new (1.0e-1)
+  unbeaten in error and time: clever, new (0.1)
 ";
     assert!(table.ends_with(remarks), "{table}");
     // Where the parameter changes the problem, each value has its front.
