@@ -5,7 +5,7 @@ use a03_rays_cameras::kinds::Format;
 use a07_transforms::kinds::example_files;
 use arbitrary::{Result, Unstructured};
 use common::{Renderer, Settings, Size};
-use scene_file::Mesh;
+use scene_file::{Mesh, SceneFile, SceneNumber};
 
 use crate::values::number;
 
@@ -35,7 +35,12 @@ pub fn check(bytes: &[u8]) {
     for format in formats {
         // The file is its own mesh.
         let file = format.read(&text, &|_| Mesh::read(bytes));
-        let twice = file.and_then(|file| Ok([(format.view)(&file)?, (format.view)(&file)?]));
+        let twice = file.and_then(|mut file| {
+            if file.mistake.is_none() {
+                check_numbers(&mut file, &text);
+            }
+            Ok([(format.view)(&file)?, (format.view)(&file)?])
+        });
         match twice {
             Ok([view, same]) => {
                 let image = view.render(&settings, &()).expect("a picture");
@@ -49,6 +54,29 @@ pub fn check(bytes: &[u8]) {
             }
         }
     }
+}
+
+/// Checks that each number of a file stands in its text, and keeps its value when it is set to it.
+fn check_numbers(file: &mut SceneFile, text: &str) {
+    let numbers = file.numbers(text);
+    for number in &numbers {
+        let place = &number.place;
+        let written = text.get(place.bytes.clone());
+        assert!(
+            written.is_some_and(|it| !it.is_empty()),
+            "{place:?} in {text}"
+        );
+        assert!(
+            place.line <= text.split('\n').count(),
+            "{place:?} in {text}"
+        );
+        file.set_number(number, place.value);
+    }
+    let values = |numbers: &[SceneNumber]| {
+        let values = numbers.iter().map(|number| number.place.value.to_bits());
+        values.collect::<Vec<_>>()
+    };
+    assert_eq!(values(&file.numbers(text)), values(&numbers), "{text}");
 }
 
 /// Checks the numbers of a mesh, also of its computed normals.
