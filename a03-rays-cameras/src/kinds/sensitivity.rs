@@ -315,7 +315,13 @@ struct Footprint {
     /// The angle between the rays of neighbouring pixels, in radians; of parallel rays, the angle
     /// under which its width is seen from the object.
     angle: f64,
+    /// The same angle seen from the origin of the world, if it is larger there, for what rotates
+    /// objects and lights.
+    angle_of_world: f64,
 }
+
+/// The largest angle by which things are rotated for a pixel, in radians.
+const LARGEST_ANGLE: f64 = 1.0 / 64.0;
 
 /// The places beside a pixel at which an object is looked for, in pixels.
 const BESIDE: [(f64, f64); 9] = [
@@ -362,20 +368,27 @@ impl Footprint {
         let distance = distance.unwrap_or(eye.length()).max(f64::MIN_POSITIVE);
         let [here, beside] = rays.map(|ray| ray.at(distance).to_glam());
         let width = (beside - here).length();
+        let angle = width / distance;
         Self {
             width,
-            angle: width / distance,
+            angle,
+            angle_of_world: (width / here.length()).max(angle).min(LARGEST_ANGLE),
         }
     }
 
     /// By how much a number is moved, so that things move by about a fraction of a pixel.
     fn reach(self, number: &NumberPlace, fraction: f64) -> f64 {
         let size = number.value.abs();
+        let angle = if number.table == "[camera]" {
+            self.angle
+        } else {
+            self.angle_of_world
+        };
         let reach = match number.unit {
             Unit::Length => fraction * self.width,
-            Unit::Degree => fraction * self.angle.to_degrees(),
-            Unit::Direction(length) => fraction * self.angle * length,
-            Unit::Factor if number.key.contains("scale") => fraction * self.angle * size,
+            Unit::Degree => fraction * angle.to_degrees(),
+            Unit::Direction(length) => fraction * angle * length,
+            Unit::Factor if number.key.contains("scale") => fraction * angle * size,
             Unit::Factor | Unit::Channel | Unit::Whole => OF_SIZE * size.max(1.0),
         };
         let least = LEAST * size.max(f64::MIN_POSITIVE);

@@ -58,6 +58,8 @@ const FRACTIONS: [f64; 3] = [1.0 / 16.0, 0.25, 1.0];
 /// A change that has shrunk to this fraction, while its interval was halved, is no jump: the one of
 /// a smooth function shrinks to half with each halving, and that of a root to 0.7.
 const SHRUNK: f64 = 1.0 / 16.0;
+/// A jump of at most this fraction of the colour is none.
+const LEAST_JUMP: f64 = 1e-6;
 /// Most halvings. After 40 of them the interval is as short as rounding allows, or nearly so.
 const HALVINGS: usize = 40;
 /// Rows of the extrapolation: the last step is the first one divided by 512.
@@ -179,8 +181,8 @@ impl Side {
 fn jump_between(value: f64, near: (f64, Channels), far: (f64, Channels), at: At) -> Option<Edge> {
     let change = difference(near.1, far.1);
     let scale = magnitude(near.1).max(magnitude(far.1));
-    // Below this it is rounding, or a jump that nobody sees.
-    if change <= 1e-9 * scale {
+    // Below this it is rounding, or a jump that nobody sees: a byte has 255 steps.
+    if change <= LEAST_JUMP * scale {
         return None;
     }
     let (mut near, mut far) = (near, far);
@@ -229,8 +231,8 @@ fn is_calm_beside(value: f64, near: (f64, Channels), far: (f64, Channels), at: A
 struct Estimate {
     slope: Channels,
     error: f64,
-    /// The difference quotients of the first and the last step.
-    ends: [Channels; 2],
+    /// The difference quotients, from that of the longest step.
+    quotients: Vec<Channels>,
 }
 
 impl Estimate {
@@ -274,10 +276,16 @@ fn two_sided(value: f64, step: f64, center: Channels, at: At) -> Response {
         change.map(|change| change / (right.place - left.place))
     });
     let central = extrapolated(4.0, central);
-    let [first, last] = [0, 1].map(|end| difference(above.ends[end], below.ends[end]));
+    // Of a smooth function, the two slopes differ by the step times its second derivative, so that
+    // their difference vanishes; rounding lets it grow. At a kink it stays.
+    let differences = above.quotients.iter().zip(&below.quotients);
+    let differences: Vec<_> = differences.map(|(a, b)| minus(*a, *b)).collect();
+    let last = differences[ROWS - 1];
+    let stays = differences[ROWS - 4..]
+        .iter()
+        .all(|earlier| difference(*earlier, last) <= 0.1 * magnitude(last));
     let slopes = magnitude(above.slope).max(magnitude(below.slope));
-    // Of a smooth function the two differ by the step times its second derivative.
-    if last > first / 4.0 && last > 1e-6 * slopes && last > 8.0 * (above.error + below.error) {
+    if stays && magnitude(last) > 1e-6 * slopes {
         return Response::Kink {
             below: below.slope,
             above: above.slope,
@@ -319,7 +327,9 @@ fn extrapolated(factor: f64, quotients: impl Iterator<Item = Channels>) -> Estim
         }
         rows.push(columns);
     }
-    let ends = [rows[0][0], rows[ROWS - 1][0]];
+    let quotients = rows.iter().map(|columns| columns[0]).collect();
+    // What the last two steps differ by is mostly rounding, which is less in longer steps.
+    let rounding = minus(rows[ROWS - 1][1], rows[ROWS - 2][1]).map(f64::abs);
     let (mut slope, mut error) = ([0.0; 3], [f64::INFINITY; 3]);
     for channel in 0..3 {
         for row in 1..ROWS {
@@ -327,7 +337,8 @@ fn extrapolated(factor: f64, quotients: impl Iterator<Item = Channels>) -> Estim
                 let best = rows[row][column][channel];
                 let before = [rows[row][column - 1], rows[row - 1][column - 1]];
                 let differences = before.map(|it| (best - it[channel]).abs());
-                let estimate = differences[0].max(differences[1]);
+                let rounding = rounding[channel] / f64::from(1_u32 << (ROWS - 1 - row));
+                let estimate = differences[0].max(differences[1]).max(rounding);
                 if estimate < error[channel] {
                     (slope[channel], error[channel]) = (best, estimate);
                 }
@@ -335,7 +346,11 @@ fn extrapolated(factor: f64, quotients: impl Iterator<Item = Channels>) -> Estim
         }
     }
     let error = error.into_iter().fold(0.0, f64::max);
-    Estimate { slope, error, ends }
+    Estimate {
+        slope,
+        error,
+        quotients,
+    }
 }
 
 fn minus(a: Channels, b: Channels) -> Channels {
