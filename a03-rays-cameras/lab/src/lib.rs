@@ -6,6 +6,8 @@
 mod experiments;
 mod extremes;
 pub mod protocol;
+pub mod quantity;
+pub mod search;
 
 use measure::Laboratory;
 
@@ -16,6 +18,6 @@ pub fn laboratory() -> Laboratory {
         stage: a03_rays_cameras::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: None,
+        search: Some(search::search),
     }
 }

@@ -6,6 +6,7 @@
 mod experiments;
 mod extremes;
 pub mod protocol;
+pub mod search;
 
 use measure::Laboratory;
 
@@ -16,6 +17,6 @@ pub fn laboratory() -> Laboratory {
         stage: a05_lighting::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: None,
+        search: Some(search::search),
     }
 }

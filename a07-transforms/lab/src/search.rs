@@ -1,7 +1,9 @@
 //! `search`: the worst inputs of the disc: see the laboratory of stage 4.
 
+use a02_lab::exact::DoubleDouble;
 use a02_math::Normal3;
 use a02_math::arrays::{array, point, vector};
+use a03_lab::quantity::{Quantity, unit};
 use a03_rays_cameras::Ray;
 use a04_intersections::Geometry;
 use a04_lab::line::Line;
@@ -13,7 +15,7 @@ use common::Error;
 
 use crate::certified::decide;
 use crate::protocol;
-use a07_transforms::Disc;
+use a07_transforms::{Disc, Transform};
 
 /// The shape of this stage.
 pub static SUBJECTS: [Subject; 1] = [DISC];
@@ -64,7 +66,39 @@ fn protocol(x: &[f64], ray: &Ray) -> Option<f64> {
     protocol::disc(point(triple(x)), unit_normal(x), x[6], ray)
 }
 
+/// The normal of an object under a scaling.
+pub const TRANSFORM: Quantity = Quantity {
+    name: "transform",
+    written: "Transform::IDENTITY.scale(#, #, #).map(|scaled| scaled.normal_from_object(Normal3::new(#, #, #)))",
+    exact: exact_normal,
+    lesson: |x| {
+        let scaled = Transform::IDENTITY.scale(x[0], x[1], x[2]).ok()?;
+        scaled
+            .normal_from_object(Normal3::new(x[3], x[4], x[5]))
+            .map(array)
+    },
+    protocol: |x| {
+        let scaled = Transform::IDENTITY.scale(x[0], x[1], x[2]).ok()?;
+        let normal = Normal3::new(x[3], x[4], x[5]);
+        protocol::normal_as_vector(scaled.matrix(), normal).map(array)
+    },
+};
+
+/// Each coordinate is divided by its factor.
+fn exact_normal(x: &[DoubleDouble]) -> [DoubleDouble; 3] {
+    unit([0, 1, 2].map(|i| x[i + 3] / x[i]))
+}
+
 /// The worst inputs of the protocol's formula and the lesson's, in words and as lines of Rust.
 pub fn search(name: &str) -> Result<String, Error> {
-    search_among(&SUBJECTS, name)
+    if name == TRANSFORM.name {
+        return TRANSFORM.search(name);
+    }
+    if name == DISC.name {
+        return search_among(&SUBJECTS, name);
+    }
+    Err(Error::Usage(format!(
+        "no \"{name}\" is searched here, only {}, {}",
+        DISC.name, TRANSFORM.name
+    )))
 }

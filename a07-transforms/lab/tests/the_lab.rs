@@ -14,7 +14,7 @@ use a06_lab::policy::offset;
 use a06_shadows_reflection::RecursiveTracer;
 use a07_lab::certified::geometry;
 use a07_lab::experiments::nested_nodes::lit_points;
-use a07_lab::search;
+use a07_lab::search::{self, TRANSFORM};
 use measure::Effort;
 use measure::extremes::{Bound, Case, Condition};
 
@@ -205,4 +205,13 @@ fn is_row(span: &str) -> bool {
         && bytes[0].is_ascii_uppercase()
         && bytes[1..3].iter().all(u8::is_ascii_digit)
         && bytes[3..].iter().all(u8::is_ascii_lowercase)
+}
+
+/// The protocol scales a normal like a vector. A handful of roundings lie between the given numbers and the direction.
+#[test]
+fn the_worst_direction_is_right() {
+    let theirs = TRANSFORM.worst(TRANSFORM.protocol);
+    assert!(theirs.error > 1e6, "{theirs:?}");
+    let ours = TRANSFORM.worst(TRANSFORM.lesson);
+    assert!(ours.error < 8.0 && ours.lost.is_none(), "{ours:?}");
 }

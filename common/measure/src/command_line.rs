@@ -34,7 +34,7 @@ enum Command {
         /// Beginnings of ids, such as A or A01 [default: all]
         names: Vec<String>,
 
-        /// Search for the worst input of a shape's formulas, and print it as a test in Rust
+        /// Search for the worst input of a shape's formulas, or of camera, light or transform, and print it in Rust
         #[arg(long, value_name = "SHAPE", conflicts_with = "names")]
         search: Option<String>,
     },

@@ -28,11 +28,11 @@ pub fn show_extremes(laboratory: &Laboratory, names: &[String]) -> Result<(), Er
     Ok(())
 }
 
-/// Prints the worst inputs of the formulas of a shape.
+/// Prints the worst inputs of the formulas of a shape, or of another quantity of the stage.
 pub fn show_worst(laboratory: &Laboratory, shape: &str) -> Result<(), Error> {
     let name = laboratory.stage.name;
     let Some(search) = laboratory.search else {
-        let none = format!("{name} searches no shapes; 4 and 7 do");
+        let none = format!("{name} searches nothing; stages 3, 4, 5 and 7 do");
         return Err(Error::Usage(none));
     };
     print(&search(shape)?)
