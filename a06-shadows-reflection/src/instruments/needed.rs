@@ -11,12 +11,11 @@ use a04_intersections::{Geometry, Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting};
 use common::steps::{self, StepKind};
 use common::{Color, Omissions};
-use engine::Shading;
 
 use crate::instruments::recorded::RecordedSurface;
-use crate::kinds::KINDS;
+use crate::kinds::responds_to_light;
 use crate::shadow::ShadowRay;
-use crate::{ShadowedWorld, Surface, secondary_ray};
+use crate::{ShadowedWorld, secondary_ray};
 
 /// A world whose work is reported as far as no renderer can leave it out.
 pub struct NeededWorld {
@@ -62,14 +61,6 @@ fn is_transformed(geometry: &dyn Geometry, shapes: Shapes) -> bool {
         }) => parts.iter().all(|part| is_transformed(*part, shapes)),
         Some(Content::Children { .. }) => true,
         Some(Content::Values(_)) | None => false,
-    }
-}
-
-fn responds_to_light(surface: &dyn Surface) -> bool {
-    match KINDS.for_engine(surface, |_, _| Color::BLACK) {
-        Shading::SingleColor(_) => false,
-        Shading::Phong(phong) => phong.responds_to_light(),
-        Shading::Other(_) => true,
     }
 }
 

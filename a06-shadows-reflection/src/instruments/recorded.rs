@@ -12,13 +12,12 @@ use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::instruments::recorded::ray_step;
 use a03_rays_cameras::{Ray, TracedWorld};
 use a04_intersections::instruments::recorded as geometries;
-use a04_intersections::kinds::{ShapeKind, Shapes};
+use a04_intersections::kinds::Shapes;
 use a04_intersections::{Geometry, Hit, Interval};
 use a05_lighting::instruments::recorded::{self as materials, RecordedMaterial};
 use a05_lighting::{Illumination, Light, Lighting, Material};
 use common::steps::{self, Step, StepKind};
 use common::{Color, Omissions};
-use engine::Shape;
 
 use crate::instruments::measured::MeasuredTracer;
 use crate::kinds::KINDS;
@@ -43,7 +42,7 @@ impl RecordedWorld {
             };
         }
         let geometry = |number, geometry: Box<dyn Geometry>| {
-            let is_flat = is_flat(&*geometry, shapes);
+            let is_flat = shapes.is_flat(&*geometry);
             Box::new(SearchedObject {
                 number,
                 is_flat,
@@ -150,15 +149,6 @@ thread_local! {
             left: Cell::new(0),
         }
     };
-}
-
-/// Whether a shape has no thickness, so that no ray that leaves it can hit it again.
-fn is_flat(geometry: &dyn Geometry, shapes: Shapes) -> bool {
-    let kind = shapes.row(geometry).and_then(|row| row.get(geometry));
-    matches!(
-        kind.and_then(ShapeKind::for_engine),
-        Some(Shape::Plane(_) | Shape::Disc(_) | Shape::Triangle(_))
-    )
 }
 
 fn push_shadow_ray(ray: &Ray, within: Interval) {
