@@ -1,7 +1,7 @@
 //! The front: the methods that no other beats in error and time.
 //!
-//! Error and time have intervals, and where the intervals of two methods overlap, or the numbers are
-//! nearly equal, there is a tie. Of two methods with equal times the more exact one beats the other,
+//! Error and time have intervals, and unless the intervals of two methods are apart by a factor, there is
+//! a tie. Of two methods with equal times the more exact one beats the other,
 //! and of two with equal errors the faster one.
 
 use common::Median;
@@ -32,7 +32,7 @@ pub(crate) struct Contender {
 
 impl Contender {
     fn is_faster(&self, other: &Self) -> bool {
-        self.time.high < other.time.low && EQUAL_TIMES * self.time.value < other.time.value
+        EQUAL_TIMES * self.time.high < other.time.low
     }
 
     fn is_more_exact(&self, other: &Self) -> bool {

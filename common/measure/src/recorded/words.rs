@@ -14,9 +14,9 @@ pub enum Relation {
 
 impl Relation {
     pub fn of(quotient: &Median) -> Self {
-        if quotient.low > 1.0 && quotient.value > EQUAL_TIMES {
+        if quotient.low > EQUAL_TIMES {
             Self::Longer
-        } else if quotient.high < 1.0 && EQUAL_TIMES * quotient.value < 1.0 {
+        } else if EQUAL_TIMES * quotient.high < 1.0 {
             Self::Shorter
         } else {
             Self::Same
