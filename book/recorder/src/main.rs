@@ -9,10 +9,10 @@ use std::time::Instant;
 use std::{fs, io};
 
 use clap::Parser;
-use common::atomic_file;
+use common::{Renderer, atomic_file};
 use measure::experiment::Experiment;
 use measure::report::Measured;
-use measure::{Effort, Laboratory, scene_report};
+use measure::{Effort, Laboratory, left_out_report, scene_report};
 use rayon::ThreadPoolBuilder;
 
 /// Measures the experiments of all stages for the book.
@@ -36,6 +36,9 @@ const ROUNDS: usize = 25;
 
 /// The scene whose samples are measured beside the experiments.
 const SAMPLED_SCENE: &str = "phong";
+
+/// The scenes of which the work is measured that they do not need.
+const LEFT_OUT: [&str; 4] = ["sphere", "aab", "box-transformations", "disc"];
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -72,6 +75,13 @@ fn record(arguments: &Arguments) -> Result<(), String> {
             if renderers::SCENES.contains(&scene.name) {
                 let name = format!("render-{}", scene.name);
                 recorder.record(stage, renderers::experiment(&name, scene))?;
+            }
+            if LEFT_OUT.contains(&scene.name) {
+                for (renderer, suffix) in [(Renderer::Lesson, ""), (Renderer::Engine, "-engine")] {
+                    let name = format!("left-out-{}{suffix}", scene.name);
+                    let experiment = left_out_report::experiment(&name, scene, renderer);
+                    recorder.record(stage, experiment.map_err(|error| error.to_string())?)?;
+                }
             }
         }
     }

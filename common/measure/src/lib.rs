@@ -23,6 +23,8 @@ pub mod fit;
 mod front;
 mod interval;
 mod laboratory;
+#[cfg(not(target_family = "wasm"))]
+pub mod left_out_report;
 mod plot;
 mod point;
 mod provenance;

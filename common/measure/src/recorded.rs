@@ -10,6 +10,7 @@
 //! | `{{recorded factor a04.triangle-needle.cramer/woop-ours}}` | the quotient of two errors |
 //! | `{{recorded slope a04.sphere-far.stable}}` | the slope of the curve, or `no power law` |
 //! | `{{recorded work a03.samples-level-edge.regular}}` | the work that half a grey level takes |
+//! | `{{recorded saved a06.left-out-aab.reflected}}` | the milliseconds that a kind of work takes, which is left out |
 //! | `{{recorded front a04.sphere-far}}` | the methods that no other beats |
 //! | `{{recorded errors a07.condition}}` | a table: a row for each value of the parameter |
 //! | `{{recorded fronts}}` | a table of the fronts of all experiments |

@@ -37,7 +37,7 @@ pub use appearance::Theme;
 pub use by_numbers::{effect_in_words, number_in_words};
 pub use comparison::Comparison;
 pub use gallery::Gallery;
-pub use left_out::Words;
+pub use left_out::{LeftOut, Words};
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
 pub use pixel_panel::PixelPanel;

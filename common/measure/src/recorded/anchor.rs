@@ -260,8 +260,31 @@ impl<'r, 'a> Found<'r, 'a> {
                     work
                 })
             }
+            "saved" => self.saved(name),
             _ => Err(format!("there is no figure \"{quantity}\"")),
         }
+    }
+
+    /// The milliseconds that a method takes more than the one before it, in an experiment about work
+    /// that is left out.
+    fn saved(&self, name: &Name) -> Result<String, String> {
+        let with = self.curve(name.methods.first().ok_or("it needs a method")?)?;
+        let mut curves = self.measured.curves.iter();
+        let is_with = |curve: &&Curve| curve.method == with.method;
+        let after = curves.clone().skip(1).position(|curve| is_with(&curve));
+        let without = after.and_then(|before| curves.nth(before));
+        let without = without.ok_or("there is no method before it")?;
+        let [Some(with), Some(without)] = [with, without].map(|curve| curve.points.last()) else {
+            return Err("there is no time".to_owned());
+        };
+        let [with, without] = [with, without].map(|point| point.times.seconds);
+        let milliseconds = |seconds: f64| 1e3 * seconds;
+        let noise = (with.high - without.low).max(without.high - with.low);
+        if with.low <= without.high && without.low <= with.high {
+            return Ok(format!("below {:.1}", milliseconds(noise)));
+        }
+        let saved = milliseconds(with.value - without.value);
+        Ok(format!("{saved:.1}").replace('-', "−"))
     }
 
     /// The point of a method at the parameter, or its last one.

@@ -51,6 +51,7 @@ fn anchors_become_figures() {
         ("time a00.far.plain/careful", "about twice as long"),
         ("error a00.far.careful@2", r"$2.5 \cdot 10^{-11}$"),
         ("factor a00.far.plain/careful", "40"),
+        ("saved a00.far.careful", "−480.0"),
         // At 1, the careful one is slower: both are on the front.
         ("front a00.far", "plain (ours) (at 1), careful (everywhere)"),
     ] {
@@ -85,6 +86,7 @@ fn a_sentence_that_a_build_contradicts_is_an_error() {
         ("time a09.far.careful/plain", "no stage a09"),
         ("time a00.far.careful", "two methods"),
         ("error a00.far.plain@7", "no such value"),
+        ("saved a00.far.plain", "no method before it"),
         ("weight a00.far.plain", "no figure \"weight\""),
     ] {
         let wrong = filled(&texts, anchor).unwrap_err();
