@@ -4,7 +4,7 @@
 mod renderers;
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::time::Instant;
 use std::{fs, io};
 
@@ -136,11 +136,22 @@ fn laboratories() -> [Laboratory; 7] {
     ]
 }
 
+/// Name and version of the compiler, which has just built this program.
+fn compiler() -> String {
+    let printed = Command::new("rustc").arg("--version").output();
+    let printed = printed.map(|output| output.stdout).unwrap_or_default();
+    let words = String::from_utf8_lossy(&printed);
+    let words: Vec<_> = words.split_whitespace().take(2).collect();
+    words.join(" ")
+}
+
 /// Measures an experiment, and writes it into its file.
 fn measure(experiment: Experiment, file: &Path, arguments: &Arguments) -> Result<(), String> {
     let mut measured = Measured::in_rounds(experiment, Effort::Quick, ROUNDS, |_, _| {});
     measured.provenance.machine += ", ";
     measured.provenance.machine += &arguments.conditions;
+    measured.provenance.version += ", ";
+    measured.provenance.version += &compiler();
     let earlier = match fs::read_to_string(file) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
