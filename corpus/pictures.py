@@ -17,14 +17,14 @@ STYLE = """svg{font:13px system-ui,sans-serif}.title{font-weight:600;font-size:1
 .middle{text-anchor:middle}.end{text-anchor:end}path{fill:none}.dash{stroke-dasharray:5 4}
 .thick{stroke-width:2.2}.face{opacity:.16}
 rect{fill:#fff}text{fill:#282828}.small{fill:#6b6b6b}path{stroke:#282828}.grid{stroke:#e4e4e4}
-path.c0{stroke:#0072b2}path.c1{stroke:#d55e00}path.c2{stroke:#009e73}path.c3{stroke:#b4558c}path.c4{stroke:#3a94cf}path.c5{stroke:#8a6100}
+path.c0{stroke:#0072b2}path.c1{stroke:#d55e00}path.c2{stroke:#009e73}path.c3{stroke:#b4558c}path.c5{stroke:#8a6100}
 .f0{fill:#0072b2;stroke:none}.f1{fill:#d55e00;stroke:none}.f2{fill:#009e73;stroke:none}
-text.c0{fill:#0072b2}text.c1{fill:#b34700}text.c2{fill:#00694d}text.c3{fill:#8f3b6d}text.c4{fill:#24719f}text.c5{fill:#735000}
+text.c0{fill:#0072b2}text.c1{fill:#b34700}text.c2{fill:#00694d}text.c3{fill:#8f3b6d}text.c5{fill:#735000}
 @media(prefers-color-scheme:dark){
 rect{fill:#181a1b}text{fill:#e1e1e1}.small{fill:#a0a0a0}path{stroke:#e1e1e1}.grid{stroke:#393c3e}
-path.c0{stroke:#56b4e9}path.c1{stroke:#e69f00}path.c2{stroke:#00be8c}path.c3{stroke:#e696c3}path.c4{stroke:#8c9cff}path.c5{stroke:#f0e442}
+path.c0{stroke:#56b4e9}path.c1{stroke:#e69f00}path.c2{stroke:#00be8c}path.c3{stroke:#e696c3}path.c5{stroke:#f0e442}
 .f0{fill:#56b4e9}.f1{fill:#e69f00}.f2{fill:#00be8c}
-text.c0{fill:#56b4e9}text.c1{fill:#e69f00}text.c2{fill:#00be8c}text.c3{fill:#e696c3}text.c4{fill:#8c9cff}text.c5{fill:#f0e442}}"""
+text.c0{fill:#56b4e9}text.c1{fill:#e69f00}text.c2{fill:#00be8c}text.c3{fill:#e696c3}text.c5{fill:#f0e442}}"""
 
 
 def cases(name):
@@ -134,8 +134,8 @@ def ball():
     picture.line([(x, y), (x, ray)], "dash")
     picture.cross(x + beyond * scale, ray, "c1", 8)
     picture.text(x + beyond * scale, ray - 18, f"parry3d-f64 and the protocol hit: t = {float(found):.0f}", "c1 middle")
-    picture.text(x + 12, (y + ray) / 2 + 22, f"{height:.4f}")
-    picture.text(x, y + 5, "radius 1", "middle")
+    picture.text(x + 12, (y - scale + ray) / 2 + 5, f"{height:.4f}")
+    picture.text(x, y + 22, "radius 1", "middle")
     picture.write()
 
 
@@ -157,15 +157,19 @@ def corner():
         points = [place(point) for point in triangle]
         picture.line([(150 + x * scale, 165 - y * scale) for x, y in points], "c0", closed=True)
     picture.circle(150, 165, 9, "c1 thick")
-    middle, unit = (470, 165), 34 / size
+    middle, unit, radius = (470, 170), 34 / size, 100
     for point in corners - {tip}:
         x, y = place(point)
         x, y = x - at[0], y - at[1]
-        length = math.hypot(x, y)
-        start = (middle[0] + at[0] * unit, middle[1] - at[1] * unit)
-        picture.line([start, (start[0] + x / length * 120, start[1] - y / length * 120)], "c0 thick")
+        x, y = x / math.hypot(x, y), y / math.hypot(x, y)
+        start = (at[0] * unit, at[1] * unit)
+        # To the circle around the ray: |start + length · (x, y)| = radius.
+        along = start[0] * x + start[1] * y
+        length = math.sqrt(along**2 + radius**2 - math.hypot(*start) ** 2) - along
+        end = (start[0] + length * x, start[1] + length * y)
+        picture.line([(middle[0] + x, middle[1] - y) for x, y in (start, end)], "c0 thick")
     picture.circle(*middle, 5, "f1")
-    picture.circle(*middle, 100, "grid")
+    picture.circle(*middle, radius, "grid")
     picture.text(middle[0] - 12, middle[1] + 18, "the ray", "c1 end")
     picture.text(14, 292, f"The ray passes {size:.1e} beside the corner, which three triangles share.")
     picture.text(14, 314, "Möller-Trumbore and parry3d-f64 hit none of the three.", "c1")
@@ -209,8 +213,8 @@ def sizes():
     ]
     names = {"bvh": "bvh", "embree": "Embree, Open3D", "mitsuba": "Mitsuba"}
     picture = Drawing("sizes", "Sizes that are lost",
-                      "s is the size; products of two and three lengths are near s² and s³; green: the range of numbers", height=350)
-    place = lambda exponent: 400 + exponent * 2.7
+                      "s is the size; products of two and three lengths are near s² and s³; green: the numbers that are kept", height=350)
+    place = lambda exponent: 440 + exponent * 2.4
     for exponent in range(-90, 91, 30):
         picture.line([(place(exponent), 66), (place(exponent), 318)], "grid")
         picture.text(place(exponent), 336, power(exponent), "small middle")
@@ -229,50 +233,62 @@ def sizes():
         for degree, label in ((2, "s²"), (3, "s³")):
             picture.cross(place(exponent * degree), y + 6, "c1", 4)
             picture.text(place(exponent * degree), y - 4, label, "c1 middle")
-    picture.text(place(60), 92 + 26, "from 2.2·10⁻¹⁶, with which bvh compares", "small end")
+    picture.text(place(60), 92 + 26, "above 2.2·10⁻¹⁶, with which bvh compares", "small end")
     picture.write()
+
+
+def greatest_error(found, ids, parameter, value):
+    """The greatest error of t among the cases of a value, in units of the condition times one unit in the last place."""
+    worst = 0.0
+    for id in ids:
+        case = DOUBLES[id]
+        if parameter(id) != value or found.get(id, "miss") == "miss":
+            continue
+        exact = F(case["t"])
+        ulp = F(math.ulp(float(exact)))
+        worst = max(worst, float(abs(F(float(found[id])) - exact) / ulp) / case["condition"])
+    return worst
 
 
 def errors(name, title, subtitle, axis, ids, parameter):
     """The greatest errors of t by a parameter, in units of the condition times one unit in the last place."""
-    who = [("protocol", "the protocol"), ("bvh", "bvh"), ("moeller-trumbore", "Möller-Trumbore"),
-           ("parry", "parry3d-f64"), ("lesson", "the lesson"), ("woop-compensated", "Woop with exact products")]
+    who = [("protocol", "the protocol", "c0"), ("bvh", "bvh", "c1"), ("moeller-trumbore", "Möller-Trumbore", "c2"),
+           ("parry", "parry3d-f64", "c3"), ("lesson", "the lesson", ""),
+           ("woop-compensated", "Woop with exact products", "c5")]
     picture = Drawing(name, title, subtitle, height=380)
     values = sorted({parameter(id) for id in ids})
     first, last = values[0], values[-1]
+    curves = [[greatest_error(results(file), ids, parameter, value) for value in values] for file, _, _ in who]
+    all_errors = [ulps for curve in curves for ulps in curve]
+    top = math.ceil(math.log10(max(all_errors)))
     x_of = lambda value: 80 + (value - first) * 380 / (last - first)
-    y_of = lambda ulps: 320 - 26 * math.log10(max(ulps, 0.1) * 10)
-    for exponent in range(-1, 9):
+    y_of = lambda ulps: 320 - 260 * math.log10(max(ulps, 0.1) * 10) / (top + 1)
+    for exponent in range(-1, top + 1):
         y = y_of(10.0**exponent)
         picture.line([(70, y), (470, y)], "grid")
         picture.text(62, y + 4, power(exponent), "small end")
     for value in values:
         picture.text(x_of(value), 340, power(value), "small middle")
     picture.text(270, 362, axis, "middle")
-    picture.text(478, 340, "below 0.1: drawn at 0.1", "small")
+    if min(all_errors) < 0.1:
+        picture.text(478, 340, "below 0.1: drawn at 0.1", "small")
     limit = y_of(16)
     picture.line([(70, limit), (470, limit)], "dash")
     picture.text(478, limit + 4, "16: still right", "small")
     ends = []
-    for index, (file, label) in enumerate(who):
-        found, points = results(file), []
-        for value in values:
-            worst = 0.0
-            for id in ids:
-                case = DOUBLES[id]
-                if parameter(id) != value or found.get(id, "miss") == "miss":
-                    continue
-                exact = F(case["t"])
-                ulp = F(math.ulp(float(exact)))
-                worst = max(worst, float(abs(F(float(found[id])) - exact) / ulp) / case["condition"])
-            points.append((x_of(value), y_of(worst)))
-        picture.line(points, f"thick c{index}")
-        ends.append([points[-1][1], index, label])
+    for (_, label, color), curve in zip(who, curves):
+        points = [(x_of(value), y_of(ulps)) for value, ulps in zip(values, curve)]
+        picture.line(points, f"thick {color}")
+        ends.append([points[-1][1], label, color])
+    # Names keep their distance: those below another move down, then those below the axis up.
     ends.sort()
     for before, after in zip(ends, ends[1:]):
         after[0] = max(after[0], before[0] + 16)
-    for y, index, label in ends:
-        picture.text(478, y + (4 if abs(y - limit) > 14 else 18), label, f"c{index}")
+    ends[-1][0] = min(ends[-1][0], 320)
+    for after, before in zip(ends[::-1], ends[-2::-1]):
+        before[0] = min(before[0], after[0] - 16)
+    for y, label, color in ends:
+        picture.text(478, y + (4 if abs(y - limit) > 14 else 18), label, color)
     picture.write()
 
 
@@ -298,12 +314,14 @@ def limit():
     picture.text(place(1e-3) + 8, 82, "the limit", "c1")
     shown = [("contact-04", "below a ball's surface"), ("public-20", "a triangle over a floor"),
              ("public-22", "the same, higher"), ("contact-10", "before a wall")]
-    for index, (id, words) in enumerate(shown):
+    for row, (id, words) in zip((0, 1, 0, 2), shown):
         assert results("protocol")[id] == "miss", id
         x = place(float(DOUBLES[id]["t"]))
-        picture.line([(x, 170), (x, 146 - 24 * (index % 2))], "grid")
+        picture.line([(x, 170), (x, 146 - 24 * row)], "grid")
         picture.cross(x, 170, "c0", 5)
-        picture.text(x, 138 - 24 * (index % 2), f"{id}: {words}", "small middle")
+        # The last one stands to the left of the limit.
+        beside, kind = (8, "small end") if row == 2 else (0, "small middle")
+        picture.text(x + beside, 138 - 24 * row, f"{id}: {words}", kind)
     picture.write()
 
 
