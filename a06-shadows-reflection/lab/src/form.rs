@@ -46,7 +46,7 @@ fn gamma(n: f64) -> f64 {
 
 impl Form {
     /// The point of the surface near a point, and the bounds of its error: those of Physically Based
-    /// Rendering, 4th edition, section 6.8.4, and of its transforms, section 6.8.6, for the sphere
+    /// Rendering, 4th edition, section 6.8.5, which has those of its transforms, too, for the sphere
     /// around the origin and the disc of height 0 that become this sphere and plane. Its boxes are
     /// triangles; a face of ours has its coordinate without any error.
     pub fn put_back(&self, p: Point3) -> OnSurface {

@@ -10,16 +10,17 @@ use a04_lab::mesh::Mesh;
 use a04_lab::support::Numbers;
 use common::{Color, Error};
 use measure::Effort;
-use measure::experiment::{Curve, Curves, Errors, Experiment, Point, Slope, Times, Unit};
+use measure::experiment::{Axis, Curve, Curves, Errors, Experiment, Point, Slope, Times, Unit};
 
 /// What a ball of radius 1 loses by being made of N triangles.
 ///
-/// N triangles of width h cover the ball, so that `h ~ N^(-1/2)`. A chord of the length h lies
-/// `1 - cos(h/2)`, about `h²/8`, below its arc: the outline falls short by `N^-1`. The normal of a
-/// flat triangle is off by up to `h/2`: the brightness of flat shading is off by `N^(-1/2)`. The
-/// corners have the ball's normals, which are their positions, so that the interpolated normal at a
-/// point p of the triangle is `p / |p|`. The ray meets the ball up to `h²/8` above p, divided by the
-/// cosine of ray and normal, and the normal there differs by as much: smooth shading is off by `N^-1`.
+/// N triangles of width h cover the ball, so that `h ~ N^(-1/2)`. A chord of the length h lies `1 -
+/// cos(h/2)`, about `h²/8`, below its arc: the outline falls short by `N^-1`. The normal of a flat
+/// triangle is off by up to about `0.6 h` at a corner: the brightness of flat shading is off by
+/// `N^(-1/2)`. The corners have the ball's normals, which are their positions, so that the
+/// interpolated normal at a point p of the triangle is `p / |p|`. The ray meets the ball at most
+/// about `h²/5` above p, divided by the cosine of ray and normal, and the normal there differs by as
+/// much: smooth shading is off by `N^-1`.
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         question: "How many triangles does a ball need?",
@@ -29,6 +30,7 @@ pub fn experiment() -> Experiment<'static> {
         error: "rms error",
         unit: Unit::Other("radius = 1, white = 1"),
         exact: "against the ball; brightness within 0.9 radii of the middle",
+        against: Axis::Parameter,
         seeds: &[SEED],
         curves: Box::new(curves),
         ..Experiment::new("facets")
