@@ -1,4 +1,4 @@
-//! `Form`: a shape in plain numbers. A point is put back on it, and it is hit in any precision.
+//! `Form`: a shape in plain numbers. A point is reprojected onto it, and it is hit in any precision.
 
 use a02_math::arrays::array;
 use a02_math::{Direction, Point3, Vector3};
@@ -29,7 +29,7 @@ pub enum Form {
     },
 }
 
-/// A point that is put back on a surface.
+/// A point that is reprojected onto a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct OnSurface {
     pub point: Point3,
@@ -49,7 +49,7 @@ impl Form {
     /// Rendering, 4th edition, section 6.8.5, which has those of its transforms, too, for the sphere
     /// around the origin and the disc of height 0 that become this sphere and plane. Its boxes are
     /// triangles; a face of ours has its coordinate without any error.
-    pub fn put_back(&self, p: Point3) -> OnSurface {
+    pub fn reproject(&self, p: Point3) -> OnSurface {
         match *self {
             Self::Sphere { center, radius } => {
                 let from_center = p - point(center);

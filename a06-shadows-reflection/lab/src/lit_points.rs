@@ -30,10 +30,10 @@ impl Trial {
         self.ray.at(self.hit.t)
     }
 
-    /// The computed point, put back on the surface; a shape that cannot do that leaves it where it is.
-    pub fn put_back(&self) -> OnSurface {
+    /// The computed point, reprojected onto the surface; a shape that cannot do that leaves it where it is.
+    pub fn reproject(&self) -> OnSurface {
         match self.surface.form {
-            Some(form) => form.put_back(self.point()),
+            Some(form) => form.reproject(self.point()),
             None => OnSurface {
                 point: self.point(),
                 error: Vector3::default(),

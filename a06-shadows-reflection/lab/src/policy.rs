@@ -96,13 +96,13 @@ pub fn relative(trial: &Trial) -> ShadowRay {
     ShadowRay::from_point(trial, 1e-9 * eye.max(point).max(trial.hit.t))
 }
 
-/// The point is put back on its shape, and moves along the normal until it has left the box of its
+/// The point is reprojected onto its shape, and moves along the normal until it has left the box of its
 /// error bounds, with one more step to the next double (Pharr, Jakob and Humphreys, Physically Based
 /// Rendering, 4th edition, section 6.8.6). Shapes count a hit only if it is ahead beyond the error of
 /// its `t` (section 6.8.7). Intervals give this error for all shapes; the bounds in the book take less
 /// time.
 pub fn error_bounds(trial: &Trial) -> ShadowRay {
-    let OnSurface { point: p, error } = trial.put_back();
+    let OnSurface { point: p, error } = trial.reproject();
     let normal = trial.normal_to_the_light();
     let offset = array(normal * error.dot_of_magnitudes(normal));
     let mut origin = array(p);
@@ -120,13 +120,13 @@ pub fn error_bounds(trial: &Trial) -> ShadowRay {
     }
 }
 
-/// The point is put back on its shape. Each coordinate moves by a number of steps from one double to
+/// The point is reprojected onto its shape. Each coordinate moves by a number of steps from one double to
 /// the next, and near 0 by a fixed length (Wächter and Binder, A Fast and Robust Method for Avoiding
 /// Self-Intersection, Ray Tracing Gems, 2019, chapter 6; its constants are for 24 binary digits, and
-/// the length has 29 more here). The shapes that cannot put a point back move it as it is.
+/// the length has 29 more here). The shapes that cannot reproject a point move it as it is.
 pub fn stepped(trial: &Trial) -> ShadowRay {
     let normal = array(trial.normal_to_the_light());
-    let mut origin = array(trial.put_back().point);
+    let mut origin = array(trial.reproject().point);
     for (x, n) in origin.iter_mut().zip(normal) {
         *x = if x.abs() < 1.0 / 32.0 {
             *x + n / 35_184_372_088_832.0

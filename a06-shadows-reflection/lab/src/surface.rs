@@ -37,7 +37,7 @@ pub const SHAPES: [Shape; 6] = [
 #[derive(Clone)]
 pub struct Surface {
     pub world: Rc<World<()>>,
-    /// Its numbers, where a point can be put back.
+    /// Its numbers, where a point can be reprojected onto it.
     pub form: Option<Form>,
 }
 
@@ -45,7 +45,7 @@ pub fn world(shape: impl Geometry) -> Result<World<()>, Error> {
     Ok(World::new(Color::BLACK)?.with(shape, ()))
 }
 
-/// A shape on which no point is put back.
+/// A shape onto which no point is reprojected.
 pub fn surface(shape: impl Geometry) -> Result<Surface, Error> {
     Ok(Surface {
         world: Rc::new(world(shape)?),

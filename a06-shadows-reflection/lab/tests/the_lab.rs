@@ -27,12 +27,12 @@ fn assert_near(v: Vector3, expected: [f64; 3]) {
 
 /// γ(n) is n roundings, but for a part of 1e-15.
 #[test]
-fn points_are_put_back_with_their_error_bounds() {
+fn points_are_reprojected_with_their_error_bounds() {
     let sphere = Form::Sphere {
         center: [1.0, -2.0, 3.0],
         radius: 2.0,
     };
-    let OnSurface { point, error } = sphere.put_back(Point3::new(1.0, -2.0, 5.1));
+    let OnSurface { point, error } = sphere.reproject(Point3::new(1.0, -2.0, 5.1));
     assert_eq!(point, Point3::new(1.0, -2.0, 5.0));
     // Three roundings of the centre's coordinates; and eight of a height of 2.
     assert_near(error, [3.0 * U, 6.0 * U, (9.0 + 16.0) * U]);
@@ -41,14 +41,14 @@ fn points_are_put_back_with_their_error_bounds() {
         a: [0.0, 2.0, 0.0],
         normal: [0.0, 1.0, 0.0],
     };
-    let OnSurface { point, error } = plane.put_back(Point3::new(3.0, 2.5, 4.0));
+    let OnSurface { point, error } = plane.reproject(Point3::new(3.0, 2.5, 4.0));
     assert_eq!(point, Point3::new(3.0, 2.0, 4.0));
     assert_near(error, [15.0 * U, 21.0 * U, 15.0 * U]);
 
     let triangle = Form::Triangle {
         corners: [[0.0, 0.0, 4.0], [4.0, 0.0, 4.0], [0.0, 4.0, 4.0]],
     };
-    let OnSurface { point, error } = triangle.put_back(Point3::new(1.0, 1.0, 4.5));
+    let OnSurface { point, error } = triangle.reproject(Point3::new(1.0, 1.0, 4.5));
     assert_eq!(point, Point3::new(1.0, 1.0, 4.0));
     assert_near(error, [7.0 * U, 7.0 * U, 28.0 * U]);
 
@@ -56,7 +56,7 @@ fn points_are_put_back_with_their_error_bounds() {
         least: [0.0; 3],
         greatest: [1.0, 2.0, 3.0],
     };
-    let OnSurface { point, error } = cuboid.put_back(Point3::new(0.5, 1.9, 1.0));
+    let OnSurface { point, error } = cuboid.reproject(Point3::new(0.5, 1.9, 1.0));
     assert_eq!(point, Point3::new(0.5, 2.0, 1.0));
     assert_eq!(error, Vector3::default());
 }

@@ -184,7 +184,7 @@ impl<'a> Recordings<'a> {
 
     /// The rows of the fronts of all experiments.
     fn fronts(&self) -> String {
-        let mut table = "| | experiment | question | unbeaten |\n|---|---|---|---|".to_owned();
+        let mut table = "| | experiment | question | Pareto front |\n|---|---|---|---|".to_owned();
         for stage in self.stages() {
             for measured in &stage.experiments {
                 // Two programs that give the same picture have no errors to compare.

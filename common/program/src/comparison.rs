@@ -24,7 +24,7 @@ pub const WORK: [Work; 7] = [
     work(StepKind::ShadowRay, "shadow rays"),
     work(StepKind::ReflectedRay, "reflected rays"),
     work(StepKind::Test, "intersection tests"),
-    work(StepKind::ObjectRay, "moved rays"),
+    work(StepKind::ObjectRay, "transformed rays"),
     work(StepKind::Power, "powers"),
     work(StepKind::RandomNumber, "random numbers"),
 ];

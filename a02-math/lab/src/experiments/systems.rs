@@ -103,7 +103,7 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
                 error: 0.0,
                 between: 0.0..=1e9,
             }),
-            ..curve("Cramer's rule, mended", refined)
+            ..curve("Cramer's rule, refined", refined)
         },
     ]
 }

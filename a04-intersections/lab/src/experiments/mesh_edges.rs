@@ -68,7 +68,7 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
             protocol::triangle(corners, ray).is_some()
         }),
         curve("Möller-Trumbore", &doubles, moeller_trumbore),
-        curve("Möller-Trumbore, wider", &doubles, wider),
+        curve("Möller-Trumbore, tolerance 1e-9", &doubles, wider),
         Curve {
             bound: Some(never.clone()),
             ..curve("Woop (split)", &doubles, |corners, line| {

@@ -75,10 +75,10 @@ fn of_inverses(name: &'static str) -> Experiment<'static> {
 
 pub fn nesting() -> Experiment<'static> {
     Experiment {
-        question: "How many turns can be nested before the inverse is no inverse?",
-        parameter: "turns",
+        question: "How many rotations can be nested before the inverse is no inverse?",
+        parameter: "rotations",
         curves: Box::new(curves_of_nesting),
-        ..of_inverses("nested-turns")
+        ..of_inverses("nested-rotations")
     }
 }
 
@@ -105,7 +105,7 @@ fn curves_of_nesting(effort: Effort) -> Vec<Curve<'static>> {
     ]
 }
 
-/// The measurement of a number of nested turns.
+/// The measurement of a number of nested rotations.
 fn nested(method: &Method, turns: &Rc<[Transform]>, count: f64) -> Point<'static> {
     let (turns, build) = (Rc::clone(turns), method.build);
     let run = move || build(&mut turns.iter().cycle().take(count as usize));

@@ -45,7 +45,7 @@ fn hits(effort: Effort) -> Vec<Case> {
             // Of the eye's height 5, the face's 1/2 and the direction.
             condition: Known(5.5 / 4.5 + 1.0),
             bound: Absolute(400.0 * 5.0 * f64::EPSILON),
-            ours: t(nested_turns(), line([2.0, 0.25, 5.0], DOWN)),
+            ours: t(nested_rotations(), line([2.0, 0.25, 5.0], DOWN)),
             ..Case::default()
         },
         rotated_box(effort.choose(2_000, 20_000)),
@@ -114,7 +114,7 @@ fn ball(x: f64, z: f64) -> Result<Sphere, ArgumentError> {
 
 /// The rotations add up to a full turn, which returns the box to its position
 /// beside the axis.
-fn nested_turns() -> Result<Node, Error> {
+fn nested_rotations() -> Result<Node, Error> {
     let beside = Transform::IDENTITY.translate(Point3::new(2.0, 0.0, 0.0))?;
     let mut node = Node::new(beside).with(unit_box()?);
     for _ in 0..100 {

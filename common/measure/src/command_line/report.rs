@@ -81,7 +81,7 @@ fn measure(
     if rows.is_empty() {
         return Ok(());
     }
-    print("\n| experiment | question | unbeaten in error and time |\n|---|---|---|")?;
+    print("\n| experiment | question | Pareto front of error and time |\n|---|---|---|")?;
     print(&rows.join("\n"))
 }
 

@@ -468,7 +468,7 @@ impl Drawing {
         }
         if let Some([x, y]) = panels.last().and_then(|panel| panel.front.last()) {
             let [_, y] = self.at([0.0, top], [*x, *y]);
-            names.push((y, None, "not beaten"));
+            names.push((y, None, "Pareto front"));
         }
         names.sort_by(|a, b| a.0.total_cmp(&b.0));
         // From above, each is moved below the one before it; then those that are too low, upwards.

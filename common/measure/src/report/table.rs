@@ -38,13 +38,13 @@ impl Measured<'_> {
                 Some(name) if !has_front => {
                     writeln!(
                         text,
-                        "  unbeaten in error and time: see report {} {name}",
+                        "  Pareto front of error and time: see report {} {name}",
                         e.name
                     )
                 }
                 _ => writeln!(
                     text,
-                    "  unbeaten in error and time: {}",
+                    "  Pareto front of error and time: {}",
                     self.unbeaten(opposite)
                 ),
             };

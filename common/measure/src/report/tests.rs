@@ -57,7 +57,7 @@ square-root: Is the error one over the square root?
     let remarks = "  \
   clever, new: no power law: less than a decade; beside a < b at 20: 2.00 times its error, time \
   no difference beyond 34 %
-  unbeaten in error and time: clever, new (0.1)
+  Pareto front of error and time: clever, new (0.1)
 ";
     assert!(table.ends_with(remarks), "{table}");
     // Where the parameter changes the problem, each value has its front.
@@ -66,7 +66,7 @@ square-root: Is the error one over the square root?
         ..experiment()
     };
     let table = measured(of_problems).table(None);
-    let front = "unbeaten in error and time: a < b (at 20), clever, new (at 10 and at 30)\n";
+    let front = "Pareto front of error and time: a < b (at 20), clever, new (at 10 and at 30)\n";
     assert!(table.ends_with(front), "{table}");
     // Problems do not compete: no star, no front.
     let problems = measured(Experiment {
@@ -74,7 +74,7 @@ square-root: Is the error one over the square root?
         ..experiment()
     });
     let table = problems.table(None);
-    let remarks = ["* clever", "unbeaten"];
+    let remarks = ["* clever", "Pareto front"];
     assert!(remarks.iter().all(|remark| !table.contains(remark)));
     assert_eq!(problems.row(None), None);
 }
