@@ -23,7 +23,7 @@ impl PerspectiveCamera {
         // 1. Take w against the gaze.
         // 2. Take u to the right: perpendicular to t and w.
         // 3. Take v upwards: perpendicular to w and u.
-        // 4. Normalise all three.
+        // 4. Normalise w and u; v has length 1 by itself.
         let [u, v, w] = testing::missing("the three axes of the camera", [nowhere; 3]);
         Ok(Self { e, u, v, w, angle })
     }

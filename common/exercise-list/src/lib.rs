@@ -9,11 +9,14 @@ use std::{env, fs, io};
 /// the build script. A macro, because modules are looked for beside the file with the call.
 ///
 /// `solved` are all that have a solution of their own. Of them `solutions` have no other starter
-/// than that. `open` are starters without a solution, as in a workbook for students.
+/// than that. `open` are starters without a solution, as in a workbook for students. `hints` are
+/// starters with the lines of their first hint in the right order.
 pub fn write() -> io::Result<()> {
     let starters = names("exercises/starters")?;
     let solved = names("exercises/solutions")?;
     let open = names("exercises/open")?;
+    let mut hints = names("exercises/hints")?;
+    hints.retain(|name| starters.contains(name));
     let mut solutions = solved.clone();
     solutions.retain(|name| !starters.contains(name));
     let stage = env::var("CARGO_PKG_NAME").unwrap_or_default();
@@ -24,6 +27,7 @@ pub fn write() -> io::Result<()> {
     let groups = [
         ("solved", solved),
         ("open", open),
+        ("hints", hints),
         ("starters", starters),
         ("solutions", solutions),
     ];

@@ -6,75 +6,12 @@ use common::fnv1a;
 use crate::exercise::Exercise;
 use crate::files;
 
-/// A part of the lesson, or of a right solution in a check.
-struct Part {
-    exercise: &'static str,
-    file: &'static str,
-    /// The beginning of the line that opens the part. Of a loop, it belongs to the part.
-    opening: &'static str,
-}
-
-const fn part(exercise: &'static str, file: &'static str, opening: &'static str) -> Part {
-    Part {
-        exercise,
-        file,
-        opening,
-    }
-}
-
-/// The parts in the order in which the hint shows them. Where the lesson's code is of another form
-/// than the student's, a right solution of the check stands here.
-#[rustfmt::skip]
-const PARTS: [Part; 37] = [
-    part("set_pixel", "common/src/image.rs", "fn set("),
-    part("set_pixel", "common/src/image.rs", "fn index("),
-    part("diagonal", "a01-image-display/tests/exercises/diagonal.rs", "fn over_one_side("),
-    part("products", "a02-math/tests/exercises/products.rs", "fn dot_of_coordinates("),
-    part("products", "a02-math/tests/exercises/products.rs", "fn cross_of_coordinates("),
-    part("angle", "a02-math/src/vector3.rs", "fn angle("),
-    part("reflected", "a02-math/src/vector3.rs", "fn reflected_on("),
-    part("ray", "a03-rays-cameras/src/ray.rs", "fn at("),
-    part("ray", "a03-rays-cameras/src/ray.rs", "fn t_of("),
-    part("perspective", "a03-rays-cameras/src/camera.rs", "fn new("),
-    part("perspective", "a03-rays-cameras/src/perspective_camera.rs", "fn ray_for("),
-    part("pinhole", "a03-rays-cameras/src/pinhole_camera.rs", "fn generate_ray("),
-    part("stripe", "a03-rays-cameras/src/striped_sky.rs", "fn stripe("),
-    part("picture", "a03-rays-cameras/src/render.rs", "for place in sampler.places("),
-    part("plane", "a04-intersections/src/plane.rs", "fn hit("),
-    part("sphere", "a04-intersections/src/sphere.rs", "fn hit("),
-    part("axis_aligned_box", "a04-intersections/src/axis_aligned_box.rs", "fn hit("),
-    part("triangle", "a04-intersections/tests/exercises/triangle.rs", "Ok(own(move |ray: &Ray"),
-    part("nearest", "a04-intersections/src/world.rs", "fn hit("),
-    part("nearest", "a04-intersections/src/world.rs", "fn facing("),
-    part("orthographic", "a03-rays-cameras/src/orthographic_camera.rs", "fn ray_for("),
-    part("orthographic", "a03-rays-cameras/src/orthographic_camera.rs", "fn from_middle("),
-    part("lambert", "a05-lighting/src/lambert.rs", "fn color_for("),
-    part("lambert", "a05-lighting/src/lambert.rs", "fn diffuse_term("),
-    part("phong", "a05-lighting/src/phong.rs", "fn color_for("),
-    part("phong", "a05-lighting/src/phong.rs", "fn highlight("),
-    part("point_light", "a05-lighting/src/point_light.rs", "fn illumination("),
-    part("directional_light", "a05-lighting/tests/exercises/directional_light.rs", "fn reversed("),
-    part("spot_light", "a05-lighting/src/spot_light.rs", "fn illumination("),
-    part("shadowed", "a06-shadows-reflection/tests/exercises/shadowed.rs", "Arc::new(move |world"),
-    part("leaving", "a06-shadows-reflection/src/secondary_ray.rs", "fn secondary_ray("),
-    part("leaving", "a06-shadows-reflection/src/secondary_ray.rs", "fn rounding_error("),
-    part("mirror", "a06-shadows-reflection/src/recursive_tracer.rs", "fn trace("),
-    part("chain", "a07-transforms/tests/exercises/chain.rs", "fn product("),
-    part("under_transform", "a07-transforms/src/transform.rs", "fn normal_from_object("),
-    part("node", "a07-transforms/src/node.rs", "fn hit("),
-    part("disc", "a07-transforms/src/disc.rs", "fn hit("),
-];
-
-/// The hint of an exercise; none of an exercise beyond the core path, and where the workbook lacks
-/// the code.
-pub fn hint(exercise: &str) -> Option<String> {
+/// The hint of an exercise; none of an exercise beyond the core path.
+pub fn hint(exercise: &Exercise) -> Option<String> {
     let mut blocks = Vec::new();
-    for part in PARTS.iter().filter(|part| part.exercise == exercise) {
-        let pieces = pieces(&body(part)?);
-        if !pieces.is_empty() {
-            let lines = shuffled(exercise, &pieces).join("\n");
-            blocks.push(format!("\n```text\n{lines}\n```\n"));
-        }
+    for pieces in functions(exercise)? {
+        let lines = shuffled(exercise.name, &pieces).join("\n");
+        blocks.push(format!("\n```text\n{lines}\n```\n"));
     }
     if blocks.is_empty() {
         return None;
@@ -86,11 +23,48 @@ pub fn hint(exercise: &str) -> Option<String> {
     ))
 }
 
-/// The lines of a part, which a bracket opens and another one at the same depth closes.
-fn body(part: &Part) -> Option<String> {
-    let text = files::read(part.file).ok()?;
-    let (_, rest) = text.split_once(part.opening)?;
-    let (header, rest) = rest.split_once("{\n")?;
+/// The pieces of each function that is to be written, in the right order, from the file
+/// `exercises/hints/NAME.rs`: the starter with lines that the check accepts. A line that the
+/// starter has, too, is no piece.
+fn functions(exercise: &Exercise) -> Option<Vec<Vec<String>>> {
+    let path = format!("{}/exercises/hints/{}.rs", exercise.stage, exercise.name);
+    let right = files::read(&path).ok()?;
+    let starter = files::starter(exercise).ok()?;
+    let mut functions = Vec::new();
+    for opening in openings(&starter) {
+        let given: Vec<_> = body(&starter, opening)?.lines().collect();
+        let written = body(&right, opening)?;
+        let new: Vec<_> = written
+            .lines()
+            .filter(|line| !given.contains(line))
+            .collect();
+        functions.push(pieces(&new.join("\n")));
+    }
+    Some(functions)
+}
+
+/// The beginnings of the functions of a starter in which something is missing.
+fn openings(starter: &str) -> Vec<&str> {
+    let mut opening = "";
+    let mut openings = Vec::new();
+    for line in starter.lines().map(str::trim) {
+        if let Some((before, _)) = line.split_once('(')
+            && (before.starts_with("fn ") || before.starts_with("pub fn "))
+        {
+            opening = &line[..=before.len()];
+        }
+        if line.contains("testing::missing") && !line.starts_with("//") {
+            openings.push(opening);
+        }
+    }
+    openings.dedup();
+    openings
+}
+
+/// The lines of a function, which a bracket opens and another one at the same depth closes.
+fn body<'a>(text: &'a str, opening: &str) -> Option<&'a str> {
+    let (_, rest) = text.split_once(opening)?;
+    let (_, rest) = rest.split_once("{\n")?;
     let mut depth = 1;
     let end = rest.find(|letter| {
         depth += match letter {
@@ -100,11 +74,7 @@ fn body(part: &Part) -> Option<String> {
         };
         depth == 0
     })?;
-    let body = &rest[..end];
-    if part.opening.starts_with("for ") {
-        return Some([part.opening, header, "{\n", body].concat());
-    }
-    Some(body.to_owned())
+    Some(&rest[..end])
 }
 
 /// The pieces of the code in their right order: its statements and the beginnings of its blocks, or,
@@ -204,61 +174,40 @@ fn shuffled(exercise: &str, pieces: &[String]) -> Vec<String> {
 
 /// The first hint of an exercise, if it has lines to put in order, and then the others.
 pub fn add_first_hint(exercise: &mut Exercise) {
-    if let Some(hint) = hint(exercise.name) {
+    if let Some(hint) = hint(exercise) {
         exercise.hints.insert(0, hint);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
     use super::*;
     use crate::exercise;
 
     #[test]
     fn each_core_exercise_has_its_lines_in_another_order() {
-        // A handout lacks the stages above.
-        let is_here = |part: &&Part| {
-            let folder = part.file.split('/').next().unwrap_or_default();
-            files::shortest(folder).is_dir()
-        };
-        for part in PARTS.iter().filter(is_here) {
-            let name = part.exercise;
-            let right = pieces(&body(part).unwrap_or_else(|| panic!("{name}: {}", part.opening)));
-            let shuffled = shuffled(name, &right);
-            assert!(right.len() > 1, "{name}: {right:?}");
-            assert_ne!(shuffled, right, "{name}");
-            assert!(
-                shuffled.iter().all(|line| line.trim() == line),
-                "{name}: {shuffled:?}"
-            );
-            let [mut left, mut right] = [shuffled, right];
-            left.sort();
-            right.sort();
-            assert_eq!(left, right, "{name}");
-        }
-        let course = exercise::read_all().unwrap();
-        let core: BTreeSet<_> = course
-            .iter()
-            .filter(|e| e.is_core)
-            .map(|e| e.name)
-            .collect();
-        let with_lines: BTreeSet<_> = PARTS
-            .iter()
-            .filter(is_here)
-            .map(|part| part.exercise)
-            .collect();
-        assert_eq!(with_lines, core);
-        for e in course {
+        for e in exercise::read_all().unwrap() {
             let first = &e.hints[0];
+            let name = e.name;
             assert_eq!(
                 first.contains("shuffled order"),
                 e.is_core,
-                "{}: {first}",
-                e.name
+                "{name}: {first}"
             );
-            assert!(e.hints.len() > usize::from(e.is_core), "{}", e.name);
+            assert!(e.hints.len() > usize::from(e.is_core), "{name}");
+            let functions = functions(e).unwrap_or_default();
+            assert_eq!(functions.is_empty(), !e.is_core, "{name}");
+            for right in functions {
+                let mut shuffled = shuffled(name, &right);
+                assert!(right.len() > 1, "{name}: {right:?}");
+                assert_ne!(shuffled, right, "{name}");
+                let is_trimmed = shuffled.iter().all(|line| line.trim() == line);
+                assert!(is_trimmed, "{name}: {shuffled:?}");
+                let mut right = right;
+                shuffled.sort();
+                right.sort();
+                assert_eq!(shuffled, right, "{name}");
+            }
         }
     }
 

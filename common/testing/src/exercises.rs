@@ -25,6 +25,8 @@
 //!    at the beginning of the first file is title, minutes and task, such as
 //!    `//! A camera for a dome, 20 minutes`, an empty line, and paragraphs. In the comment of the
 //!    check each paragraph after the first is a hint.
+//! 5. Of the core path, `exercises/hints/NAME.rs` is the starter with the lines of the first hint in
+//!    the right order, without examples. The proof asks it as it asks a right solution.
 
 mod folder;
 #[cfg(target_family = "wasm")]
@@ -53,7 +55,7 @@ pub use missing::missing;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use missing::{Missing, found_missing};
 #[cfg(not(target_family = "wasm"))]
-pub use prove::{Entry, entry, prove};
+pub use prove::{Entry, Hint, entry, hint, prove};
 pub use random::{Random, random};
 #[cfg(not(target_family = "wasm"))]
 pub use student::judge;
@@ -106,6 +108,7 @@ macro_rules! examples {
 macro_rules! exercises {
     (
         stage $stage:path; solved { $($solved:ident)* } open { $($open:ident)* }
+        hints { $($hint:ident)* }
         $($folder:ident { $($name:ident)* })+
     ) => {
         /// The names of all solutions, for the prelude.
@@ -151,6 +154,14 @@ macro_rules! exercises {
             $(pub mod $folder { $(pub mod $name;)* })+
         }
 
+        /// Starters with the lines of their first hint in the right order.
+        #[cfg(not(learn))]
+        #[path = "../../exercises/hints"]
+        #[allow(unused, clippy::all, clippy::pedantic, missing_docs)]
+        mod hints {
+            $(pub mod $hint;)*
+        }
+
         /// The examples of starters, with the code of the solutions.
         #[cfg(not(learn))]
         #[allow(unused_imports, clippy::all, clippy::pedantic)]
@@ -183,7 +194,14 @@ macro_rules! exercises {
                     || { use $name::*; $name::code!() },
                     proved::$name,
                 )
-            },)*)+]);
+            },)*)+], vec![$({
+                use prelude::*;
+                $crate::exercises::hint(
+                    stringify!($hint),
+                    $hint::exercise,
+                    || $hint::code!(crate::hints::$hint),
+                )
+            },)*]);
             exit
         }
     };

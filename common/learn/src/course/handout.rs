@@ -168,9 +168,10 @@ mod tests {
         let contents = handout.workbook(course).unwrap();
         let is_read = |path: &str| {
             assert!(!path.contains("/solutions/"), "{path}");
-            // A check has code for mistakes, which may share a line with the solution.
-            let is_check = path.contains("/tests/");
-            path.contains("/exercises/") && !is_check || path.starts_with("book/src/a")
+            // A check has code for mistakes, which may share a line with the solution; and so may a
+            // hint, whose exercise is of the lesson.
+            let is_shared = path.contains("/tests/") || path.contains("/hints/");
+            path.contains("/exercises/") && !is_shared || path.starts_with("book/src/a")
         };
         let of_stages = contents.iter().filter(|(path, _)| is_read(path));
         let texts = of_stages.map(|(_, bytes)| String::from_utf8_lossy(bytes));

@@ -25,7 +25,7 @@ const MAY_HOLD_CODE: [&str; 12] = [
 const NOTES: [&str; 2] = ["results.txt", "receipt"];
 
 /// Folders beside the students' files, whose files have the same names.
-const BESIDE: [&str; 3] = ["starters", "solutions", files::OPEN];
+const BESIDE: [&str; 4] = ["starters", "solutions", "hints", files::OPEN];
 
 /// What a folder or zip file holds.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -72,6 +72,25 @@ pub fn entry<C: 'static>(
     Entry { name, codes }
 }
 
+/// The lines of an exercise's first hint in the right order.
+pub struct Hint {
+    name: &'static str,
+    program: Box<dyn Fn(&Record) -> Program + Send + Sync>,
+}
+
+/// The hint of an exercise with this code.
+pub fn hint<C: 'static>(
+    name: &'static str,
+    exercise: fn() -> Exercise<C>,
+    code: fn() -> C,
+) -> Hint {
+    let program = move |record: &Record| Program::new(exercise(), code(), &record.found);
+    Hint {
+        name,
+        program: Box::new(program),
+    }
+}
+
 impl<C: 'static> TypedExercise<C> {
     fn variants(
         &self,
@@ -146,15 +165,15 @@ struct Proof {
 }
 
 /// Proves that starters are to do, that examples hold for the solutions, that right variants are
-/// accepted and mistakes refused and recognised, and that the recorded answers are those of the
-/// solutions.
+/// accepted and mistakes refused and recognised, that the lines of hints are right, and that the
+/// recorded answers are those of the solutions.
 ///
 /// The arguments are those of every test. With a part of a name, the messages about
 /// mistakes are printed, and the pictures of the solutions are saved, with the drawings of starters
 /// and mistakes, which should show what is wrong. With `always` in the
 /// variable `INSTA_UPDATE` of the environment, the answers are recorded anew.
 #[must_use]
-pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
+pub fn prove(folder: &StageFolder, entries: Vec<Entry>, hints: Vec<Hint>) -> ExitCode {
     let arguments = Arguments::from_args();
     let is_shown = arguments.filter.is_some();
     if env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
@@ -195,7 +214,23 @@ pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
         }
     }
     starters.extend(trials);
+    for hint in hints {
+        let (folder, name) = (*folder, hint.name);
+        let prove = move || accept_hint(&hint, &folder);
+        starters.push(Trial::test(format!("{name}::hint"), prove));
+    }
     libtest_mimic::run(&arguments, starters).exit_code()
+}
+
+/// Fails if the lines of a hint, in the right order, are no right solution.
+fn accept_hint(hint: &Hint, folder: &StageFolder) -> Result<(), Failed> {
+    let _together = WITH_STARTER.read();
+    let record = folder.record(hint.name)?;
+    let found = (hint.program)(&record).run(|| (), &record, folder, Reader::Author);
+    let is_right = found.verdict.wrong.is_empty() && found.missing.is_empty();
+    is_right
+        .then_some(())
+        .ok_or(found.verdict.wrong.join("\n").into())
 }
 
 /// Records the answers of an exercise.
