@@ -266,7 +266,7 @@ impl<'r, 'a> Found<'r, 'a> {
     }
 
     /// The milliseconds that a method takes more than the one before it, in an experiment about work
-    /// that is left out.
+    /// that is left out, to the nearest step.
     fn saved(&self, name: &Name) -> Result<String, String> {
         let with = self.curve(name.methods.first().ok_or("it needs a method")?)?;
         let mut curves = self.measured.curves.iter();
@@ -278,13 +278,14 @@ impl<'r, 'a> Found<'r, 'a> {
             return Err("there is no time".to_owned());
         };
         let [with, without] = [with, without].map(|point| point.times.seconds);
-        let milliseconds = |seconds: f64| 1e3 * seconds;
+        let milliseconds = |seconds: f64| words::coarse(1e3 * seconds);
         let noise = (with.high - without.low).max(without.high - with.low);
         if with.low <= without.high && without.low <= with.high {
-            return Ok(format!("below {:.1}", milliseconds(noise)));
+            return Ok(format!("below {}", milliseconds(noise)));
         }
-        let saved = milliseconds(with.value - without.value);
-        Ok(format!("{saved:.1}").replace('-', "−"))
+        let saved = with.value - without.value;
+        let sign = if saved < 0.0 { "−" } else { "" };
+        Ok(format!("{sign}{}", milliseconds(saved.abs())))
     }
 
     /// The point of a method at the parameter, or its last one.

@@ -51,7 +51,7 @@ fn anchors_become_figures() {
         ("time a00.far.plain/careful", "about twice as long"),
         ("error a00.far.careful@2", r"$2.5 \cdot 10^{-11}$"),
         ("factor a00.far.plain/careful", "40"),
-        ("saved a00.far.careful", "−480.0"),
+        ("saved a00.far.careful", "−500"),
         // At 1, the careful one is slower: both are on the front.
         ("front a00.far", "plain (ours) (at 1), careful (everywhere)"),
     ] {
