@@ -57,6 +57,14 @@ pub fn exercise() -> Exercise<Code> {
                 |image, x, y, color| set(image, color, |_, h| index(y, h, x)),
             ),
             Other::new(
+                "a row is as long as the picture is wide",
+                |image, x, y, color| {
+                    if x < image.size().width() && y < image.size().height() {
+                        set(image, color, |_, h| index(y, h, x));
+                    }
+                },
+            ),
+            Other::new(
                 "the list is row after row, not column by column",
                 |image, x, y, color| set(image, color, |_, h| index(x, h, y)),
             ),

@@ -48,6 +48,10 @@ pub fn exercise() -> Exercise<Code> {
                 Some((turned(hit, hit.geometric_normal, ray), number))
             }),
             Other::new(
+                "the nearest counts, not the last; and that normals are turned",
+                |world, ray, within| hits(world, ray, within).pop(),
+            ),
+            Other::new(
                 "a hit before the interval hides one in it",
                 |world, ray, within| {
                     let nearest = nearest(world, ray, Interval::AHEAD);

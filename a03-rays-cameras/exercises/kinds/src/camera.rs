@@ -157,7 +157,29 @@ pub fn mistakes_with_angle<P: 'static>(parts: WithAngle<P>) -> Vec<Variant<NewCa
         ),
     ];
     let variants = mistakes.map(|(about, size)| Variant::new(about, with_pixels(parts, size)));
-    variants.into()
+    let mut variants = Vec::from(variants);
+    variants.push(Variant::new(
+        "half of the angle is above the middle",
+        with_tangent_of_angle(parts),
+    ));
+    variants
+}
+
+/// A camera with the tangent of the whole angle in the formula of the book. Beyond a right angle
+/// the tangent is negative, and the rays go backwards.
+fn with_tangent_of_angle<P: 'static>(parts: WithAngle<P>) -> NewCamera<P> {
+    new_camera(move |parameters| {
+        let (Basis { e, u, v, w }, angle) = parts(parameters)?;
+        Ok(OwnCamera(
+            move |[width, height]: [f64; 2], [x, y]: [f64; 2]| {
+                let right = x - (width - 1.0) / 2.0;
+                let up = y - (height - 1.0) / 2.0;
+                let distance = height / 2.0 / libm::tan(angle);
+                let direction = (u * right + v * up - w * distance).normalized();
+                Ray::derived(e, direction.unwrap_or_default())
+            },
+        ))
+    })
 }
 
 /// A camera with pixels of this size.
