@@ -66,6 +66,7 @@ pub fn verdict(
     let mut found = Verdict::default();
     let mut counts = Counts::default();
     let mut first = None;
+    let mut first_panic = None;
     let mut answers = Vec::new();
     for (number, row) in rows.iter().enumerate() {
         let given = yours.get(number);
@@ -82,6 +83,11 @@ pub fn verdict(
             is_wrong = true;
             counts.wrong += 1;
             let text = given.map_or(&row.question.text, |given| &given.question.text);
+            let panics = given.is_some() && answer.is_none();
+            if panics && first_panic.is_none() {
+                // The input of the first difference stands above it.
+                first_panic = Some(first.is_some().then(|| format!("it panics at: {text}")));
+            }
             first.get_or_insert_with(|| format!("{text}:\n    {difference}"));
         }
         answers.push(answer.map(|answer| (answer.clone(), is_wrong)));
@@ -103,6 +109,7 @@ pub fn verdict(
         }
     }
     found.wrong.extend(first);
+    found.wrong.extend(first_panic.flatten());
     let Counts {
         compared,
         skipped,
