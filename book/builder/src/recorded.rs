@@ -24,7 +24,7 @@ const BUILDS: [&str; 2] = ["fastest", "release"];
 pub struct Task {
     /// Stages or experiments, such as a04 or a04.sphere-far [default: all]
     names: Vec<String>,
-    /// Replaces earlier times also where their intervals overlap with the new ones
+    /// Replaces also earlier times that count as equal to the new ones
     #[arg(long)]
     afresh: bool,
     /// Only draws the plots of the last measurement

@@ -26,7 +26,7 @@ struct Arguments {
     /// Where the measurement ran, in words, for the heads of the files
     #[arg(long, default_value = "not pinned to a core")]
     conditions: String,
-    /// Replaces earlier times also where their intervals overlap with the new ones
+    /// Replaces also earlier times that count as equal to the new ones
     #[arg(long)]
     afresh: bool,
 }

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use common::{Error, Median, atomic_file};
 
 use crate::experiment::{Curve, Curves, Experiment};
+use crate::front::EQUAL_TIMES;
 use crate::provenance::Provenance;
 use crate::{Effort, plot};
 
@@ -133,8 +134,8 @@ impl<'a> Measured<'a> {
         }
     }
 
-    /// Takes over the times of an earlier measurement wherever both intervals overlap, so that
-    /// what differs has changed.
+    /// Takes over the times of an earlier measurement that count as equal to these, so that what
+    /// differs has changed.
     pub fn keep(&mut self, earlier: &Measured) {
         for (c, curve) in self.curves.iter_mut().enumerate() {
             let same = |other: &&Curve| other.method == curve.method;
@@ -147,11 +148,11 @@ impl<'a> Measured<'a> {
                     continue;
                 };
                 match (&mut point.times.over_first, before.times.over_first) {
-                    (Some(now), Some(before)) if overlap(now, &before) => *now = before,
+                    (Some(now), Some(before)) if are_equal(now, &before) => *now = before,
                     _ => {}
                 }
                 let has_no_quotient = c == 0 || point.times.over_first.is_none();
-                if has_no_quotient && overlap(&point.times.seconds, &before.times.seconds) {
+                if has_no_quotient && are_equal(&point.times.seconds, &before.times.seconds) {
                     point.times.seconds = before.times.seconds;
                 }
             }
@@ -203,8 +204,10 @@ fn shares_parameter(experiment: &Experiment, curves: &[Curve], c: usize, p: usiz
     is_comparable && first.is_some_and(|first| first.parameter == curves[c].points[p].parameter)
 }
 
-fn overlap(a: &Median, b: &Median) -> bool {
-    a.low <= b.high && b.low <= a.high
+/// Whether two measurements of a time count as equal: their intervals overlap, or are so near to
+/// each other that other work on the machine explains it.
+fn are_equal(a: &Median, b: &Median) -> bool {
+    a.low <= EQUAL_TIMES * b.high && b.low <= EQUAL_TIMES * a.high
 }
 
 /// An error if the report of an experiment cannot be written; for a check before
