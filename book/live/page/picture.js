@@ -212,7 +212,7 @@ live.Picture = class {
         if (turns[0]) {
             add('closer', { min: -24, max: 24 }, ({ zoom }) => [Math.round(-8 * Math.log2(zoom)), ''], (step) => ({ zoom: 2 ** (-step / 8) }));
             const sizes = ['quarter size', 'half size', 'full size', 'double size'];
-            add('', { choices: sizes }, ({ width }) => [Math.round(Math.log2(width / this.defaults.width)) + 2], (size) => {
+            add('drawn at', { choices: sizes }, ({ width }) => [Math.round(Math.log2(width / this.defaults.width)) + 2], (size) => {
                 const [width, height] = this.about.settings.map((side) => Math.max(1, Math.round(side * 2 ** (size - 2))));
                 return { width, height };
             });
