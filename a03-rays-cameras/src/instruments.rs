@@ -11,7 +11,7 @@ pub mod pixel_trace;
 pub mod recorded;
 mod seen_rays;
 
-/// What the wrappers around the parts of a view do.
+/// The task of the wrappers around the parts of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instruments {
     /// They report all steps of a renderer that leaves out this work.

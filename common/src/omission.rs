@@ -45,7 +45,7 @@ impl Omission {
         Self::DistantObjects,
     ];
 
-    /// Those of the lesson.
+    /// The omissions of the lesson.
     pub const OF_LESSON: [Self; 8] = [
         Self::RandomNumbers,
         Self::FartherOccluders,

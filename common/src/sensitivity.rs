@@ -11,7 +11,7 @@ use crate::{Color, Error, Image, Size};
 
 pub use response::{Edge, Response};
 
-/// What a number of a scene measures, from which the step follows that moves it.
+/// The unit of a number of a scene, from which the step follows that moves it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unit {
     /// A length, or a coordinate of a place, in the unit of the scene.
@@ -47,7 +47,7 @@ pub struct NumberPlace {
     pub key: String,
     /// Its value; of a colour in a text, the channel in linear light.
     pub value: f64,
-    /// What it measures.
+    /// Its unit.
     pub unit: Unit,
 }
 

@@ -25,7 +25,7 @@ pub struct Distance {
     pub value: f64,
 }
 
-/// What is expected of two formulas.
+/// The outcomes that are expected of two formulas.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Expected {
     /// Which quantity is asked, and of which ray.
@@ -39,7 +39,7 @@ pub struct Expected {
     pub is_refused: bool,
 }
 
-/// What a row asks of a ray and a shape.
+/// The question of a row about a ray and a shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Asks {
     /// The distance of the nearest hit, along a ray whose direction the lesson brings to length 1.

@@ -57,7 +57,7 @@ impl engine::Sampler for Sampler {
 }
 
 /// A sampler that also moves samples with a fixed place, by two random numbers times 0, to measure
-/// what it saves to leave them out.
+/// the time that is saved by leaving them out.
 struct MovingSampler {
     sampler: Sampler,
     seed: u64,

@@ -236,7 +236,7 @@ impl NumberedFile {
 /// The picture of a scene file after one of its numbers has moved.
 pub struct MovedPicture {
     image: Image,
-    /// What was added to the number.
+    /// The change of the number.
     pub step: f64,
 }
 
@@ -337,7 +337,7 @@ const BESIDE: [(f64, f64); 9] = [
 ];
 
 impl Footprint {
-    /// That of a pixel. Its distance is that of the nearest object in it.
+    /// The footprint of a pixel, at the distance of the nearest object in it.
     fn of_pixel(view: &View, size: Size, [column, row]: [u32; 2]) -> Self {
         let (x, y) = camera_coordinates(size, column, row, (0.5, 0.5));
         let places = BESIDE.iter().map(|(dx, dy)| (x + dx, y + dy));
@@ -346,7 +346,7 @@ impl Footprint {
         Self::at(view, size, (x, y), nearest)
     }
 
-    /// That of the pixel in the middle, at the median of the distances of objects.
+    /// The footprint of the pixel in the middle, at the median of the distances of objects.
     fn of_picture(view: &View, size: Size) -> Self {
         let [width, height] = [size.width(), size.height()].map(f64::from);
         let mut distances = Vec::new();
@@ -361,7 +361,7 @@ impl Footprint {
         Self::at(view, size, middle, median)
     }
 
-    /// That of the pixel at camera coordinates, at a distance, or as far as the world's origin.
+    /// The footprint of the pixel at camera coordinates, at a distance, or at the distance of the world's origin.
     fn at(view: &View, size: Size, (x, y): (f64, f64), distance: Option<f64>) -> Self {
         let rays = [x, x + 1.0].map(|x| view.camera.ray_for(size, x, y));
         let eye = rays[0].origin().to_glam();

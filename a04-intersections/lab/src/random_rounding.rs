@@ -103,7 +103,7 @@ impl Mul for RandomlyRounded {
 impl Div for RandomlyRounded {
     type Output = Self;
 
-    /// What is left of the dividend has the sign of the quotient's error times the divisor.
+    /// The remainder of the dividend has the sign of the quotient's error times the divisor.
     fn div(self, other: Self) -> Self {
         let quotient = self.0 / other.0;
         let rest = fused(-quotient, other.0, self.0);

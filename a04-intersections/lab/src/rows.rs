@@ -36,7 +36,7 @@ pub fn cases(families: &[&str], compute: impl Fn(&Row) -> Case) -> Vec<Case> {
 /// The case of a row, with outcomes that are computed.
 fn case(row: &'static Row, compute: impl Fn(&Row) -> Case) -> Case {
     let computed = compute(row);
-    // That of the corpus is the condition of t.
+    // The condition in the corpus is that of t.
     let of_corpus = match (row.expected.asks, &row.case.answer) {
         (Asks::Distance | Asks::AsGiven | Asks::T, Answer::Hit(_)) => Known(row.case.condition),
         _ => Condition::Unstated,

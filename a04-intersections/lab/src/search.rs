@@ -97,7 +97,7 @@ enum Answer {
     Other,
 }
 
-/// What a climb makes greater.
+/// The quantity that a climb makes greater.
 #[derive(Clone, Copy)]
 enum Goal {
     Error,

@@ -21,11 +21,11 @@ use crate::{ShadowedWorld, secondary_ray};
 pub struct NeededWorld {
     /// Its surfaces report powers.
     world: ShadowedWorld,
-    /// What there is to know of each object.
+    /// The facts about each object.
     objects: Vec<NeededObject>,
 }
 
-/// What an object needs.
+/// The facts about an object that decide which work it needs.
 #[derive(Clone, Copy)]
 struct NeededObject {
     /// Whether rays are transformed to its space.

@@ -21,7 +21,7 @@ const FILE: &str = ".learn";
 pub struct Kept {
     /// Hashes of right files, by the names of the exercises.
     pub hashes: BTreeMap<String, u64>,
-    /// What was asked, by the ids of the questions.
+    /// The questions that have been asked, by their ids.
     pub asked: BTreeMap<String, Asked>,
     damaged: Vec<Vec<u8>>,
 }

@@ -167,7 +167,7 @@ fn bend_of_parabola(points: &[LogPoint]) -> Option<Change> {
     }
     let straight = line(points)?;
     let mean_x = points.iter().map(|p| p.x).sum::<f64>() / count;
-    // What of the squares no straight line explains.
+    // The part of the squares that no straight line explains.
     let squares = points.iter().map(|p| LogPoint {
         x: p.x,
         y: (p.x - mean_x) * (p.x - mean_x),

@@ -52,7 +52,7 @@ pub(crate) struct Front {
     pub parameter: Option<f64>,
     /// All methods, the most exact last.
     pub contenders: Vec<Contender>,
-    /// Those that no other beats, from fast to slow.
+    /// The contenders that no other beats, from fast to slow.
     pub unbeaten: Vec<Contender>,
 }
 

@@ -94,7 +94,7 @@ fn value(number: &NumberPlace) -> String {
     all
 }
 
-/// What a number measures, behind "per".
+/// The unit of a number, behind "per".
 const fn unit(number: &NumberPlace) -> &'static str {
     match number.unit {
         Unit::Length => "unit of length",

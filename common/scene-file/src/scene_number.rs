@@ -165,7 +165,7 @@ fn part(key: &Key, index: usize) -> &'static str {
     names.get(index).copied().unwrap_or_default()
 }
 
-/// What the numbers of a key measure.
+/// The unit of the numbers of a key.
 fn unit(key: &Key, values: &[f64], kind: &Kind) -> Unit {
     let is_step = kind.name == "step";
     if key.form.contains("whole") {

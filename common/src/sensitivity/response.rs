@@ -125,7 +125,7 @@ impl Response {
     }
 }
 
-/// What is found on one side of the value.
+/// The samples on one side of the value.
 struct Side {
     /// Displacements from the value, from the nearest to the farthest, and the colours there.
     points: Vec<(f64, Channels)>,
@@ -328,7 +328,7 @@ fn extrapolated(factor: f64, quotients: impl Iterator<Item = Channels>) -> Estim
         rows.push(columns);
     }
     let quotients = rows.iter().map(|columns| columns[0]).collect();
-    // What the last two steps differ by is mostly rounding, which is less in longer steps.
+    // The difference of the last two steps is mostly rounding, which is less in longer steps.
     let rounding = minus(rows[ROWS - 1][1], rows[ROWS - 2][1]).map(f64::abs);
     let (mut slope, mut error) = ([0.0; 3], [f64::INFINITY; 3]);
     for channel in 0..3 {

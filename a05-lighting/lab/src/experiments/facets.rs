@@ -12,7 +12,7 @@ use common::{Color, Error};
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Curves, Errors, Experiment, Point, Slope, Times, Unit};
 
-/// What a ball of radius 1 loses by being made of N triangles.
+/// The error of a ball of radius 1 that is made of N triangles.
 ///
 /// N triangles of width h cover the ball, so that `h ~ N^(-1/2)`. A chord of the length h lies `1 -
 /// cos(h/2)`, about `h²/8`, below its arc: the outline falls short by `N^-1`. The normal of a flat
@@ -62,9 +62,9 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
 /// The normals of the triangles' corners.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Normals {
-    /// That of the triangle.
+    /// The normal of the triangle.
     Flat,
-    /// Those of the ball.
+    /// The ball's normals at the corners, interpolated.
     Interpolated,
 }
 

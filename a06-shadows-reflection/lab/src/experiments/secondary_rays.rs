@@ -195,7 +195,7 @@ const METHODS: [Method; 8] = [
     OURS,
 ];
 
-/// Those for shapes that cannot reproject a point.
+/// The methods for shapes that cannot reproject a point.
 pub const FOR_EVERY_SHAPE: [Method; 6] = [THOUSANDTH, ZERO, RELATIVE, RELATIVE_TO_T, STEPPED, OURS];
 
 impl WrongDecisions {

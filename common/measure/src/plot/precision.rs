@@ -31,7 +31,7 @@ const TOP: f64 = 74.0;
 const HEIGHT: f64 = 150.0;
 const HEIGHT_OF_ONE: f64 = 178.0;
 
-/// What stands below the panels: numbers, the name of the axis, the source.
+/// The height below the panels: numbers, the name of the axis, the source.
 const BELOW: f64 = 48.0;
 
 /// The strip for errors of 0, below the broken axis.

@@ -4,7 +4,7 @@ use common::Median;
 
 use crate::front::EQUAL_TIMES;
 
-/// What a quotient of times says.
+/// The relation of two times.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     Longer,
