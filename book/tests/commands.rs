@@ -10,7 +10,7 @@ use std::{env, fs};
 use crate::files::{Files, blocks, complaint, ending, resolve};
 
 /// The pages for those who begin, on any system.
-const FIRST_PAGES: [&str; 2] = ["README.md", "common/learn/handout/README.md"];
+const FIRST_PAGES: [&str; 2] = ["README.md", "common/course/handout/README.md"];
 
 /// Programs with which a command begins.
 const PROGRAMS: [&str; 5] = ["cargo ", "rustup ", "povray ", "sudo ", "git "];

@@ -49,6 +49,27 @@ pub fn message(text: &str) -> String {
     lines.join("\n")
 }
 
+/// The text of a file's bytes in UTF-8, with or without a byte order mark.
+///
+/// # Errors
+///
+/// Fails if the bytes are no such text; the error is a clause that says so.
+pub fn from_file(bytes: Vec<u8>) -> Result<String, String> {
+    let error = match String::from_utf8(bytes) {
+        Ok(text) => return Ok(text),
+        Err(error) => error,
+    };
+    let bytes = error.as_bytes();
+    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
+        return Err("it is a text in UTF-16; save it in UTF-8".to_owned());
+    }
+    let before = &bytes[..error.utf8_error().valid_up_to()];
+    let line = before.split(|byte| *byte == b'\n').count();
+    Err(format!(
+        "line {line} has a letter that is not in UTF-8; save the file in UTF-8"
+    ))
+}
+
 /// A name from a file or the command line: visible, and shortened in its middle.
 #[must_use]
 pub fn name(text: &str) -> String {

@@ -4,7 +4,6 @@ use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
-use std::string::FromUtf8Error;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use common::{Error, Sampling, Scene, Settings, Size, Transfer, text};
@@ -48,7 +47,7 @@ impl Format {
             reason,
         };
         let bytes = read(path, MOST_BYTES[0]).map_err(cannot_open)?;
-        let text = String::from_utf8(bytes).map_err(|error| cannot_open(no_text(&error)))?;
+        let text = text::from_file(bytes).map_err(cannot_open)?;
         let (files, triangles) = (RefCell::new(vec![path.to_owned()]), Cell::new(0));
         let mesh = |name: &str| {
             let mesh = path.with_file_name(name);
@@ -102,17 +101,6 @@ impl Format {
 fn at_place(name: &str, text: &str, mistake: &scene_file::Error) -> Error {
     let mistake = mistake.within(text);
     Error::SceneFile(text::visible(&format!("{name}:{mistake}")))
-}
-
-/// Why bytes are no text.
-fn no_text(error: &FromUtf8Error) -> String {
-    let bytes = error.as_bytes();
-    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-        return "it is a text in UTF-16; save it in UTF-8".to_owned();
-    }
-    let before = &bytes[..error.utf8_error().valid_up_to()];
-    let line = before.split(|byte| *byte == b'\n').count();
-    format!("line {line} has a letter that is not in UTF-8; save the file in UTF-8")
 }
 
 /// The bytes of a file. The error is a clause.

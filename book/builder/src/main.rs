@@ -1,7 +1,8 @@
 //! `cargo book`: builds the book into `target/book`, and checks it.
 //!
 //! 1. The programs that it needs are installed below `target/`, if they are missing (`tools`).
-//! 2. Lists of the files of each stage are written for the chapters (`changes`).
+//! 2. Lists of the files of each stage are written for the chapters (`changes`), and tables of the
+//!    exercises (`exercises`).
 //! 3. The stages become a WebAssembly module, by which the pictures of the pages are live
 //!    (`live_module`, `yours`). Without the target `wasm32-unknown-unknown` they stand still.
 //! 4. mdBook builds the pages (`pages`); before, it calls this program to fill in recorded
@@ -10,6 +11,7 @@
 
 mod changes;
 mod command;
+mod exercises;
 mod file;
 mod live_module;
 mod locks;
@@ -111,6 +113,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
 
 fn build(yours: &[yours::Exercise]) -> Result<(), String> {
     changes::write()?;
+    exercises::write()?;
     // The programs take a minute of one core, and the module another.
     let module = std::thread::scope(|scope| {
         let tools = scope.spawn(tools::install);

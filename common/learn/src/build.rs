@@ -1,8 +1,9 @@
 //! `build`: compiles the test program of a stage with a student's file.
 
+use std::fs::{File, TryLockError};
 use std::process::Command;
-use std::time::Instant;
-use std::{io, thread};
+use std::time::{Duration, Instant};
+use std::{env, io, thread};
 
 use crate::exercise::Exercise;
 use crate::files;
@@ -11,7 +12,9 @@ use crate::phase::{Phase, Watcher};
 use crate::process::run;
 use crate::report::{Report, say_cut};
 use crate::screen::Space;
-use crate::signature::explain_outside_error;
+
+/// Time between two looks whether another cargo builds.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// What comes of a build.
 pub enum Build {
@@ -24,6 +27,14 @@ pub enum Build {
 /// Builds the test program of an exercise.
 pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> {
     let with_name = |error: io::Error| format!("cargo: {error}");
+    let mut start = Instant::now();
+    while is_locked() {
+        if !watcher(Phase::Waiting, start.elapsed()) {
+            return Ok(Build::Stopped);
+        }
+        thread::sleep(PAUSE);
+    }
+    start = Instant::now();
     let (mut messages, to_messages) = io::pipe().map_err(with_name)?;
     let (errors, to_errors) = io::pipe().map_err(with_name)?;
     let mut cargo = Command::new("cargo");
@@ -42,7 +53,6 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
     let messages = thread::spawn(move || io::read_to_string(&mut messages));
     let errors = OutputReader::start(errors);
 
-    let start = Instant::now();
     let goes_on = &mut || watcher(Phase::Building, start.elapsed());
     let Some(status) = run(cargo, goes_on).map_err(with_name)? else {
         return Ok(Build::Stopped);
@@ -50,16 +60,24 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
     if !status.success() {
         let errors = errors.finish();
         let (first, more) = errors.beginning(space.lines);
-        let form = explain_outside_error(e, &first);
         return Ok(Build::Failed(Report {
             printed: first + &say_cut(e, &errors, more),
-            words: form.unwrap_or_default(),
             ..Report::new(e, "does not compile")
         }));
     }
     let messages = messages.join().unwrap_or(Ok(String::new()));
     let program = find_program(&messages.map_err(with_name)?)?;
     Ok(Build::Program(program))
+}
+
+/// Whether another cargo builds in the same folder: cargo would wait for it without a word.
+fn is_locked() -> bool {
+    let target = env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into());
+    let lock = files::workspace().join(target).join("debug/.cargo-lock");
+    let Ok(lock) = File::open(lock) else {
+        return false;
+    };
+    matches!(lock.try_lock(), Err(TryLockError::WouldBlock))
 }
 
 /// Cargo's words for the test program of an exercise.

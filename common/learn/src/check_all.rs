@@ -64,6 +64,7 @@ impl CheckAll {
             progress,
             screen,
             keys,
+            ..
         } = session;
         screen.show("checking all files\n", "");
         let mut quits = false;

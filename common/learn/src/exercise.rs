@@ -1,6 +1,17 @@
-//! `Exercise`: a section of the book's pages `aNN-exercises.md`, or a file with its own task.
+//! `Exercise`: a row of a stage's list `exercises/exercises.toml`.
 
-use crate::{files, own, parsons_problem};
+use std::sync::OnceLock;
+use std::{fs, iter};
+
+use toml::de::DeTable;
+
+use crate::{files, lines};
+
+/// The list in the folder of a stage.
+const LIST: &str = "exercises/exercises.toml";
+
+/// The least Jaro similarity of a name that may have been meant.
+const LIKE: f64 = 0.75;
 
 /// An exercise. Its texts live as long as the program.
 #[derive(Debug, PartialEq, Eq)]
@@ -9,119 +20,152 @@ pub struct Exercise {
     pub name: &'static str,
     /// The crate that sets it.
     pub stage: &'static str,
+    /// The heading of its task in the book.
     pub title: &'static str,
-    pub minutes: &'static str,
+    /// How long it takes, in minutes.
+    pub minutes: u32,
+    /// What it teaches, for lecturers.
+    pub teaches: &'static str,
     /// Whether it belongs to the core path, in which the reader writes the tracer.
     pub is_core: bool,
-    /// The text before the command, without pictures.
-    pub task: String,
-    pub hints: Vec<String>,
-    /// The file with the solution, or the lesson.
+    /// The file with the solution: of a core exercise, the lesson.
     pub solution: &'static str,
+    /// Words of help, from gentle to plain, without the lines of a solution.
+    words: Vec<&'static str>,
 }
 
-/// The exercises of all stages: those of a page in its order, and then the others of the stage.
+/// The exercises of all stages.
+///
+/// # Errors
+///
+/// Fails if a list cannot be read.
 pub fn read_all() -> Result<&'static [Exercise], String> {
-    let mut exercises = Vec::new();
-    for stage in 1.. {
-        let page = format!("book/src/a{stage:02}-exercises.md");
-        if !files::shortest(&page).exists() {
-            break;
-        }
-        let text = files::read(&page)?.replace("\r\n", "\n").leak();
-        let mut of_stage = read_sections(text).map_err(|problem| format!("{page}: {problem}"))?;
-        let stage = of_stage.first().map_or("", |e| e.stage);
-        for e in of_stage.iter_mut().filter(|e| e.is_core) {
-            parsons_problem::add_first_hint(e);
-        }
-        of_stage.append(&mut own::others(stage, &of_stage)?);
-        exercises.append(&mut of_stage);
+    static COURSE: OnceLock<Result<Vec<Exercise>, String>> = OnceLock::new();
+    match COURSE.get_or_init(read_lists) {
+        Ok(course) => Ok(course),
+        Err(error) => Err(error.clone()),
     }
-    Ok(exercises.leak())
 }
 
-/// The exercise of this name. The error is the nearest name.
-pub fn find(name: &str) -> Result<&'static Exercise, String> {
-    let mut nearest = None;
-    let mut largest_nearness = 0.0;
-    for e in read_all()? {
-        if e.name == name {
-            return Ok(e);
-        }
-        let nearness = strsim::jaro(e.name, name);
-        if nearness > largest_nearness {
-            largest_nearness = nearness;
-            nearest = Some(e);
+fn read_lists() -> Result<Vec<Exercise>, String> {
+    let workspace = files::workspace();
+    let mut stages = Vec::new();
+    let entries = fs::read_dir(&workspace).map_err(files::with_path(&workspace))?;
+    for entry in entries.flatten() {
+        if entry.path().join(LIST).is_file() {
+            stages.push(entry.file_name().to_string_lossy().into_owned());
         }
     }
-    Err(match nearest {
-        Some(e) => format!("the nearest is {}", e.name),
-        None => "no name is like it".to_owned(),
-    })
+    stages.sort();
+    let mut course = Vec::new();
+    for stage in stages {
+        let stage: &'static str = stage.leak();
+        let path = format!("{stage}/{LIST}");
+        let text = files::read(&path)?;
+        let rows = read_list(stage, text.leak());
+        course.extend(rows.map_err(|error| format!("{path}: {error}"))?);
+    }
+    Ok(course)
 }
 
-/// The exercises of a page.
-fn read_sections(page: &'static str) -> Result<Vec<Exercise>, String> {
+/// The exercises of a list.
+fn read_list(stage: &'static str, text: &'static str) -> Result<Vec<Exercise>, String> {
+    let table = DeTable::parse(text).map_err(|error| error.to_string())?;
+    let rows = table.get_ref().get("exercise");
+    let rows = rows.and_then(|rows| rows.get_ref().as_array());
     let mut exercises = Vec::new();
-    for part in page.split("\n## ").skip(1) {
-        let is_core = part.starts_with("Build along\n");
-        for section in part.split("\n### ").skip(1) {
-            let Some(exercise) = read_section(section, is_core) else {
-                let title = section.lines().next().unwrap_or_default();
-                return Err(format!(
-                    "\"{title}\" lacks its minutes, file, task, command, hint or solution"
-                ));
-            };
-            exercises.push(exercise);
-        }
+    for (number, row) in rows.into_iter().flatten().enumerate() {
+        let row = row.get_ref().as_table();
+        let read = row.and_then(|row| read_row(stage, row));
+        exercises.push(read.ok_or_else(|| {
+            let number = number + 1;
+            format!("exercise {number} lacks its name, title, minutes, or one of them is of another kind")
+        })?);
     }
     Ok(exercises)
 }
 
-/// Takes a section apart, from its title to its solution.
-fn read_section(section: &'static str, is_core: bool) -> Option<Exercise> {
-    let (title, rest) = section.split_once("\n\n*")?;
-    let (minutes, rest) = rest.split_once(" minutes, in\n`")?;
-    let (file, rest) = rest.split_once(".rs`*\n\n")?;
-    let (stage, name) = file.split_once("/exercises/")?;
-    let (task, rest) = rest.split_once(&format!("```text\ncargo learn {name}\n```\n"))?;
-    let (details, solution) = rest.split_once("\nSolution: ")?;
-
-    let mut paragraphs = Vec::new();
-    for paragraph in task.trim().split("\n\n") {
-        // Neither a picture nor the words below it.
-        if !paragraph.starts_with("![") && !paragraph.starts_with('*') {
-            paragraphs.push(paragraph);
-        }
+fn read_row(stage: &'static str, row: &DeTable) -> Option<Exercise> {
+    let text = |key| -> Option<&'static str> {
+        let text = row.get(key)?.get_ref().as_str()?;
+        Some(text.to_owned().leak())
+    };
+    let minutes = row.get("minutes")?.get_ref().as_integer()?;
+    let mut words = Vec::new();
+    let hints = row
+        .get("hints")
+        .and_then(|hints| hints.get_ref().as_array());
+    for hint in hints.into_iter().flatten() {
+        let hint = hint.get_ref().as_str()?.trim();
+        words.push(&*hint.to_owned().leak());
     }
-    let mut hints = Vec::new();
-    for hint in details.split("<summary>").skip(1) {
-        hints.push(read_hint(hint)?);
-    }
-    if hints.is_empty() {
-        return None;
-    }
+    let name = text("name")?;
+    let lesson = text("lesson");
+    let own = || format!("{stage}/exercises/solutions/{name}.rs").leak();
     Some(Exercise {
         name,
         stage,
-        title,
-        minutes,
-        is_core,
-        task: paragraphs.join("\n\n"),
-        hints,
-        solution: solution.split('`').nth(1)?,
+        title: text("title")?,
+        minutes: minutes.as_str().parse().ok()?,
+        teaches: text("teaches").unwrap_or_default(),
+        is_core: row.get("core").and_then(|core| core.get_ref().as_bool()) == Some(true),
+        solution: lesson.unwrap_or_else(|| own()),
+        words,
     })
 }
 
-/// The summary of a hint and its text.
-fn read_hint(details: &str) -> Option<String> {
-    let (summary, text) = details.split_once("</summary>")?;
-    let (text, _) = text.split_once("</details>")?;
-    let text = text.trim();
-    if text.is_empty() {
-        return None;
+/// The exercise of this name.
+///
+/// # Errors
+///
+/// Fails if there is none; the error is the nearest name.
+pub fn find(name: &str) -> Result<&'static Exercise, String> {
+    let nearness = |e: &&Exercise| strsim::jaro(e.name, name);
+    let nearest = read_all()?
+        .iter()
+        .max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    match nearest {
+        Some(e) if e.name == name => Ok(e),
+        Some(e) if nearness(&e) > LIKE => Err(format!("the nearest is {}", e.name)),
+        _ => Err("no name is like it; `cargo learn list` has all".to_owned()),
     }
-    Some(format!("\n{summary}\n\n{text}\n"))
+}
+
+/// Whether a paragraph is the words below a picture: one in italics, and not in bold.
+fn is_caption(paragraph: &str) -> bool {
+    paragraph.starts_with('*') && !paragraph.starts_with("**")
+}
+
+impl Exercise {
+    /// The task: the section of the title in the book, up to the command, without pictures and the
+    /// words below them. Without a section, the file's own comment is the task.
+    pub(crate) fn task(&self) -> String {
+        let page = format!("book/src/{}-exercises.md", &self.stage[..3]);
+        let page = files::read(&page).unwrap_or_default().replace("\r\n", "\n");
+        let heading = format!("\n### {}\n", self.title);
+        let section = page.split_once(&heading).map_or("", |(_, section)| section);
+        let task = section.split("```text\ncargo learn ").next();
+        let mut paragraphs = Vec::new();
+        for paragraph in task.unwrap_or_default().trim().split("\n\n") {
+            if !paragraph.starts_with("![") && !is_caption(paragraph) {
+                paragraphs.push(paragraph);
+            }
+        }
+        paragraphs.join("\n\n")
+    }
+
+    /// The hints, from gentle to plain, each below its number; last, of a core exercise, the lines
+    /// of a solution.
+    pub(crate) fn hints(&self) -> Vec<String> {
+        let lines = lines::hint(self);
+        let count = self.words.len() + usize::from(lines.is_some());
+        let words = self.words.iter().map(|words| (*words).to_owned());
+        let mut hints = Vec::new();
+        for (number, words) in iter::zip(1.., words.chain(lines)) {
+            hints.push(format!("Hint {number} of {count}\n\n{words}"));
+        }
+        hints
+    }
 }
 
 #[cfg(test)]
@@ -130,71 +174,43 @@ mod tests {
 
     use super::*;
 
-    /// Each exercise has its files; starters lack something, and those of the core path name its
-    /// steps; hints are words, as no test would compile code in them; and the checks of the core path
-    /// accept another style.
+    /// Each exercise has its task, files and hints; starters lack something, and those of the core
+    /// path name its steps.
     #[test]
     fn exercises_have_their_files() {
         let mut names = BTreeSet::new();
         for e in read_all().unwrap() {
             let (name, starter) = (e.name, files::starter(e).unwrap());
             assert!(names.insert(name), "{name} is the name of two exercises");
-            assert!(e.minutes.parse::<u32>().is_ok(), "{name}: its minutes");
+            assert!(!e.task().is_empty(), "{name}: its title heads no section");
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");
             }
+            assert!(!starter.contains("missing!("), "{name}");
             if e.is_core {
                 let parts = starter.matches("testing::missing(").count();
-                let [first, second] =
-                    ["// 1. ", "// 2. "].map(|number| starter.matches(number).count());
-                assert_eq!(
-                    [first, second],
-                    [parts; 2],
-                    "{name}: the steps of each part"
-                );
+                for step in ["// 1. ", "// 2. "] {
+                    assert_eq!(starter.matches(step).count(), parts, "{name}: {step}");
+                }
             }
-            assert!(!starter.contains("missing!("), "{name}");
-            let count = |brace| starter.matches(brace).count();
-            assert_eq!(count('{'), count('}'), "{name}");
-            assert!(!e.hints.concat().contains("```rust"), "{name}");
-            let open = format!("{}/exercises/{}/{name}.rs", e.stage, files::OPEN);
-            let mut files = [e.solution, &open].map(files::shortest).into_iter();
-            assert!(files.any(|file| file.exists()), "{name}");
-            let answers = format!("{}/exercises/answers/{name}.txt", e.stage);
-            assert!(files::shortest(&answers).exists(), "{name}");
-            let check = files::read(&format!("{}/tests/exercises/{name}.rs", e.stage)).unwrap();
-            assert!(!e.is_core || check.contains("right: vec!["), "{name}");
+            let hints = e.hints();
+            assert!(hints.len() > usize::from(e.is_core), "{name}");
+            let last = hints.last().unwrap();
+            assert_eq!(last.contains(lines::BEGINNING), e.is_core, "{name}: {last}");
+            assert!(files::shortest(e.solution).exists(), "{name}");
+            assert_eq!(!e.solution.contains("/solutions/"), e.is_core, "{name}");
+            let check = format!("{}/tests/exercises/{name}.rs", e.stage);
+            assert!(files::shortest(&check).exists(), "{name}");
         }
     }
 
-    /// The page shows what the check paints: what this code alone draws, or the scene of the stage.
     #[test]
-    fn each_core_exercise_shows_another_picture() {
-        let mut pictures = BTreeSet::new();
-        for e in read_all().unwrap().iter().filter(|e| e.is_core) {
-            let (stage, name) = (e.stage, e.name);
-            let page = files::read(&format!("book/src/{}-exercises.md", &stage[..3])).unwrap();
-            let command = format!("cargo learn {name}\n");
-            let (before, _) = page.split_once(&command).unwrap();
-            let (_, section) = before.rsplit_once("\n### ").unwrap();
-            let (_, shown) = section.split_once("](pictures/").expect(name);
-            let (shown, _) = shown.split_once(')').unwrap();
-
-            let check = files::read(&format!("{stage}/tests/exercises/{name}.rs")).unwrap();
-            let answers = files::read(&format!("{stage}/exercises/answers/{name}.txt")).unwrap();
-            let scene = answers
-                .lines()
-                .find_map(|line| line.strip_prefix("picture "));
-            let painted = if check.contains("drawing: drawing(") {
-                format!("{stage}-exercise-{}.png", name.replace('_', "-"))
-            } else {
-                format!("{stage}-{}.png", scene.expect(name))
-            };
-            assert_eq!(shown, painted, "{name}");
-            assert!(
-                pictures.insert(painted),
-                "{name}: another exercise shows it"
-            );
-        }
+    fn a_row_that_lacks_something_is_named() {
+        let rows =
+            "[[exercise]]\nname = \"a\"\ntitle = \"A\"\nminutes = 5\n[[exercise]]\nname = \"b\"\n";
+        let error = read_list("a01", rows).unwrap_err();
+        assert!(error.starts_with("exercise 2 lacks"), "{error}");
+        assert!(find("spere").unwrap_err().ends_with("sphere"));
+        assert!(find("nosuch").unwrap_err().contains("no name is like it"));
     }
 }

@@ -12,6 +12,7 @@ use crate::exercise::Exercise;
 pub const OPEN: &str = "open";
 
 /// The folder of the workbook, of which `cargo run` knows the newest place.
+#[must_use]
 pub fn workspace() -> PathBuf {
     let folder = match env::var_os("CARGO_MANIFEST_DIR") {
         Some(folder) => PathBuf::from(folder),
@@ -22,7 +23,7 @@ pub fn workspace() -> PathBuf {
 }
 
 /// A path in the workbook, as short as it is from the current folder.
-pub fn shortest(path: &str) -> PathBuf {
+pub(crate) fn shortest(path: &str) -> PathBuf {
     let here = env::current_dir().unwrap_or_default();
     let Ok(here) = here.strip_prefix(workspace()) else {
         return workspace().join(path);
@@ -46,21 +47,27 @@ pub fn read(path: &str) -> Result<String, String> {
     fs::read_to_string(shortest(path)).map_err(with_path(path.as_ref()))
 }
 
+/// The text of a student's file, which may be saved in another encoding than UTF-8.
+pub(crate) fn text_of(path: &Path) -> Result<String, String> {
+    let bytes = fs::read(path).map_err(with_path(path))?;
+    text::from_file(bytes).map_err(|problem| format!("{}: {problem}", text::path(path)))
+}
+
 /// An error about a file as words, which begin with its path.
 pub fn with_path(path: &Path) -> impl Fn(io::Error) -> String {
     move |error| format!("{}: {error}", text::path(path))
 }
 
 /// The student's file.
-pub fn yours(e: &Exercise) -> PathBuf {
+pub(crate) fn yours(e: &Exercise) -> PathBuf {
     shortest(&format!("{}/exercises/{}.rs", e.stage, e.name))
 }
 
 /// When the student's file was saved, and its length; none if there is no file.
-pub type Saved = Option<(SystemTime, u64)>;
+pub(crate) type Saved = Option<(SystemTime, u64)>;
 
 /// Tells a saved file from the one before.
-pub fn saved(exercise: &Exercise) -> Saved {
+pub(crate) fn saved(exercise: &Exercise) -> Saved {
     let file = fs::metadata(yours(exercise)).ok()?;
     Some((file.modified().ok()?, file.len()))
 }
@@ -102,7 +109,7 @@ fn without_code(solution: &str) -> Result<String, String> {
 }
 
 /// Whether the student has changed the file.
-pub fn is_begun(exercise: &Exercise) -> bool {
+pub(crate) fn is_begun(exercise: &Exercise) -> bool {
     let Ok(yours) = fs::read(yours(exercise)) else {
         return false;
     };
@@ -110,7 +117,7 @@ pub fn is_begun(exercise: &Exercise) -> bool {
 }
 
 /// Writes the starter, if the student has no file yet.
-pub fn begin(exercise: &Exercise) -> Result<(), String> {
+pub(crate) fn begin(exercise: &Exercise) -> Result<(), String> {
     let yours = yours(exercise);
     if !yours.exists() {
         fs::write(&yours, starter(exercise)?).map_err(with_path(&yours))?;
@@ -119,7 +126,7 @@ pub fn begin(exercise: &Exercise) -> Result<(), String> {
 }
 
 /// Renames the student's file, and copies the starter. Returns where both are.
-pub fn reset(exercise: &Exercise) -> Result<String, String> {
+pub(crate) fn reset(exercise: &Exercise) -> Result<String, String> {
     let yours = yours(exercise);
     let mut words = format!("the starter: {}", text::path(&yours));
     if is_begun(exercise) {

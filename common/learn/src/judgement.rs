@@ -2,7 +2,7 @@
 
 use std::process::Command;
 use std::time::{Duration, Instant};
-use std::{env, fs, io};
+use std::{env, io};
 
 use ::exercise::MARKED;
 use common::text;
@@ -10,7 +10,6 @@ use common::text;
 use crate::build::{Build, build};
 use crate::exercise::Exercise;
 use crate::files;
-use crate::missing_name::find_missing_name;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::run;
@@ -29,24 +28,25 @@ const LONGEST_WITH_OUTPUT: u32 = 6;
 /// Checks a student's file, and records whether it is done. Output is cut to the space.
 pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watcher) -> Report {
     let file = files::yours(e);
-    let text = match fs::read_to_string(&file) {
+    let text = match files::text_of(&file) {
         Ok(text) => text,
-        Err(error) => return Report::new(e, &files::with_path(&file)(error)),
+        Err(problem) => return Report::new(e, &problem),
     };
-    let report = match find_missing_name(e, &text) {
-        Some(lacks) => Report::new(e, &lacks),
-        None => match build_and_run(e, space, watcher) {
-            Ok(Some(report)) => report,
-            Ok(None) => return Report::new(e, "stopped"),
-            Err(problem) => return Report::new(e, &problem),
-        },
+    let report = match build_and_run(e, space, watcher) {
+        Ok(Some(report)) => report,
+        Ok(None) => {
+            return Report {
+                is_stopped: true,
+                ..Report::new(e, "stopped")
+            };
+        }
+        Err(problem) => return Report::new(e, &problem),
     };
     progress.record(e, &text, report.is_done);
     report
 }
 
-/// Judges a file that has the names which the check asks for. There is no report if the watcher
-/// stops it.
+/// Builds and runs the check. There is no report if the watcher stops it.
 fn build_and_run(e: &Exercise, space: Space, watcher: Watcher) -> Result<Option<Report>, String> {
     match build(e, space, watcher)? {
         Build::Program(program) => run_check(e, &program, space, watcher),
@@ -92,6 +92,10 @@ fn run_check(
     let output = output.finish();
     let (is_done, verdict) = match (status.map_err(with_path)?, late) {
         (Some(status), _) if status.success() => (true, "done".to_owned()),
+        (Some(_), _) if output.overflows_stack() => (
+            false,
+            "the stack overflows, probably by a recursion without end".to_owned(),
+        ),
         // The program says why.
         (Some(_), _) => (false, "not yet".to_owned()),
         (None, Some(late)) => (false, late),

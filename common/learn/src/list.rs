@@ -85,6 +85,7 @@ pub fn choose(current: &Exercise, session: &mut Session) -> Choice {
         progress,
         screen,
         keys,
+        ..
     } = session;
     let mut list = List::new(course, current);
     let mut shown = None;

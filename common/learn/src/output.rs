@@ -43,6 +43,12 @@ impl Output {
         (first.join("\n"), self.lines.saturating_sub(first.len()))
     }
 
+    /// Whether the program has ended because its calls nest too deeply, in the words of Rust's
+    /// runtime.
+    pub fn overflows_stack(&self) -> bool {
+        String::from_utf8_lossy(&self.kept).contains("has overflowed its stack")
+    }
+
     /// Adds a line of the program, after which the check may have begun one of its own.
     fn add(&mut self, line: &[u8]) {
         self.last = Some(Instant::now());

@@ -2,6 +2,7 @@
 
 mod words;
 
+use std::mem;
 use std::time::Duration;
 
 use common::text;
@@ -84,6 +85,7 @@ impl Page {
             } else if self.width != session.screen.width() {
                 self.draw(session);
             }
+            self.say_other_saved(session);
             let typed = match key {
                 _ if session.screen.is_closed() => Typed::End,
                 Some(key) => Typed::Key(key),
@@ -164,6 +166,26 @@ impl Page {
         self.note(session, &note);
     }
 
+    /// Says that the file of another exercise is saved, which nothing checks here.
+    fn say_other_saved(&mut self, session: &mut Session) {
+        let saved: Vec<_> = session.course.iter().map(files::saved).collect();
+        let before = mem::replace(&mut session.saved, saved);
+        let all = session.course.iter().zip(&before).zip(&session.saved);
+        let mut other = None;
+        for ((e, before), now) in all {
+            if before != now && now.is_some() && e != self.exercise {
+                other = Some(e.name);
+            }
+        }
+        let Some(name) = other else {
+            return;
+        };
+        let note = format!("{name}.rs is saved, the file of another exercise: L leads there");
+        if self.notes.last() != Some(&note) {
+            self.note(session, &note);
+        }
+    }
+
     /// Does what a key asks for.
     fn obey(&mut self, key: &Key, session: &mut Session) -> Result<Option<Step>, String> {
         let e = self.exercise;
@@ -211,7 +233,7 @@ impl Page {
 
     /// The hint after the last one that was asked for.
     fn next_hint(&mut self, screen: &Screen) -> String {
-        let hints = &self.exercise.hints;
+        let hints = self.exercise.hints();
         let Some(hint) = hints.get(self.hints) else {
             self.hints = 0;
             self.notes.clear();
@@ -231,7 +253,12 @@ impl Page {
             Choice::Exercise(e) => Some(Step::Chosen(e)),
             Choice::Quit => Some(Step::Quit),
             Choice::Back => {
-                self.draw(session);
+                // The list has stopped a check.
+                if self.report.as_ref().is_some_and(|report| report.is_stopped) {
+                    self.checked = None;
+                } else {
+                    self.draw(session);
+                }
                 None
             }
         }

@@ -5,6 +5,8 @@ use std::time::Duration;
 /// What goes on.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
+    /// Until another cargo has built.
+    Waiting,
     Building,
     Checking,
 }
@@ -14,6 +16,8 @@ impl Phase {
     pub fn words(self, what: &str, elapsed: Duration) -> String {
         let seconds = elapsed.as_secs();
         let words = match self {
+            Self::Waiting => "waiting for another cargo, which builds in this folder",
+            Self::Building if seconds > 90 => "building all libraries, minutes at the first time",
             Self::Building if seconds > 4 => "building, about a minute",
             Self::Building => "building",
             Self::Checking => "checking",

@@ -2,38 +2,74 @@
 //!
 //! What is kept of an exercise is the hash of the student's file that a check has found right. So
 //! it is done as long as its file is that one: it is open again after an edit, a reset, or when
-//! the file is deleted.
+//! the file is deleted. A line of the file `.learn` is the name of an exercise and the hash; another
+//! line counts for nothing.
 
+use std::collections::BTreeMap;
 use std::fs;
+use std::io::ErrorKind;
 
-use common::fnv1a;
+use common::{atomic_file, fnv1a};
 
 use crate::exercise::Exercise;
 use crate::files;
-use crate::kept::Kept;
+
+const FILE: &str = ".learn";
 
 /// The longest bar in characters, and what else stands in its line.
 const BAR: usize = 30;
 const BESIDE_BAR: usize = 22;
 
+/// Hashes of right files, by the names of the exercises.
+type Hashes = BTreeMap<String, u64>;
+
 /// The exercises that are done.
 #[derive(Default)]
 pub struct Progress {
-    kept: Kept,
+    hashes: Hashes,
     /// Why nothing is kept. The program then knows until its end what is done.
     problem: Option<String>,
+}
+
+/// What is kept now; nothing if there is no file.
+fn read_hashes() -> Result<Hashes, String> {
+    let path = files::shortest(FILE);
+    let bytes = match fs::read(&path) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Hashes::new()),
+        Err(error) => return Err(files::with_path(&path)(error)),
+    };
+    let mut hashes = Hashes::new();
+    for line in String::from_utf8_lossy(&bytes).lines() {
+        if let Some((name, hash)) = line.split_once(' ')
+            && let Ok(hash) = u64::from_str_radix(hash, 16)
+        {
+            hashes.insert(name.to_owned(), hash);
+        }
+    }
+    Ok(hashes)
+}
+
+/// Writes the file, which is complete whenever the program ends.
+fn write_hashes(hashes: &Hashes) -> Result<(), String> {
+    let lines: Vec<_> = hashes
+        .iter()
+        .map(|(name, hash)| format!("{name} {hash:016x}\n"))
+        .collect();
+    let written = atomic_file::write(&files::shortest(FILE), lines.concat().as_bytes());
+    written.map_err(|error| error.to_string())
 }
 
 impl Progress {
     /// What is kept now.
     pub fn read() -> Self {
-        match Kept::read() {
-            Ok(kept) => Self {
-                kept,
+        match read_hashes() {
+            Ok(hashes) => Self {
+                hashes,
                 problem: None,
             },
             Err(problem) => Self {
-                kept: Kept::default(),
+                hashes: Hashes::new(),
                 problem: Some(problem),
             },
         }
@@ -41,7 +77,7 @@ impl Progress {
 
     /// Whether the student's file is the one that a check has found right.
     pub fn is_done(&self, exercise: &Exercise) -> bool {
-        let Some(hash) = self.kept.hashes.get(exercise.name) else {
+        let Some(hash) = self.hashes.get(exercise.name) else {
             return false;
         };
         fs::read(files::yours(exercise)).is_ok_and(|text| fnv1a(&text) == *hash)
@@ -49,41 +85,38 @@ impl Progress {
 
     /// Records what a check says about a text.
     pub fn record(&mut self, exercise: &Exercise, text: &str, is_done: bool) {
-        let set = |kept: &mut Kept| {
+        let set = |hashes: &mut Hashes| {
             let name = exercise.name.to_owned();
             if is_done {
-                kept.hashes.insert(name, fnv1a(text.as_bytes()));
+                hashes.insert(name, fnv1a(text.as_bytes()));
             } else {
-                kept.hashes.remove(&name);
+                hashes.remove(&name);
             }
         };
-        set(&mut self.kept);
+        set(&mut self.hashes);
         // Another `cargo learn` may have recorded something since. What cannot be read is not
         // replaced.
-        let written = Kept::read().and_then(|mut now| {
+        let written = read_hashes().and_then(|mut now| {
             if self.problem.is_some() {
-                now.hashes.extend(self.kept.hashes.clone());
+                now.extend(self.hashes.clone());
             }
             set(&mut now);
-            now.write()?;
+            write_hashes(&now)?;
             Ok(now)
         });
         match written {
             Ok(now) => {
-                self.kept = now;
+                self.hashes = now;
                 self.problem = None;
             }
             Err(problem) => self.problem = Some(problem),
         }
     }
 
-    /// Says that the next program will not know what is done, or that a part of what was kept
-    /// cannot be read, if so.
+    /// Says that the next program will not know what is done, if so.
     pub fn warning(&self) -> Option<String> {
-        match &self.problem {
-            Some(problem) => Some(format!("what is done is not kept: {problem}")),
-            None => self.kept.warning(),
-        }
+        let problem = self.problem.as_ref()?;
+        Some(format!("what is done is not kept: {problem}"))
     }
 
     /// How far the student is with an exercise, in a word.

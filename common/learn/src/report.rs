@@ -14,6 +14,8 @@ use crate::screen::Screen;
 #[derive(Default)]
 pub struct Report {
     pub is_done: bool,
+    /// Whether the student has stopped the check.
+    pub is_stopped: bool,
     /// The output of the student's program, or of the compiler.
     pub printed: String,
     /// What is wrong.
@@ -32,24 +34,21 @@ impl Report {
         }
     }
 
-    /// What a student reads above the verdict: of a file that is right, only where its picture is,
-    /// unless all is asked for.
-    pub fn details(&self, screen: &Screen, is_all: bool) -> String {
-        let is_all = is_all || !self.is_done;
+    /// What a student reads above the verdict: of a file that is right, no remarks, unless they are
+    /// asked for.
+    pub fn details(&self, screen: &Screen, has_remarks: bool) -> String {
         let mut text = String::new();
-        if is_all {
-            add_lines(&mut text, &self.printed);
-        }
+        add_lines(&mut text, &self.printed);
         add_lines(&mut text, &screen.wrap(&self.words));
-        if is_all {
+        if has_remarks || !self.is_done {
             add_lines(&mut text, &screen.wrap(&self.remarks));
         }
         text
     }
 
-    /// Whether details without all leave something out.
+    /// Whether details without remarks leave something out.
     pub fn hides_something(&self) -> bool {
-        self.is_done && !(self.printed.is_empty() && self.remarks.is_empty())
+        self.is_done && !self.remarks.is_empty()
     }
 }
 

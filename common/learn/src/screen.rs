@@ -94,12 +94,6 @@ impl Screen {
             .map_or_else(|| text.to_owned(), |width| wrap_markdown(text, width))
     }
 
-    /// Prints words below what is there, as wide as the screen.
-    pub fn say(&self, words: &str) {
-        let is_lost = writeln!(io::stdout(), "{}", self.wrap(words)).is_err();
-        self.is_closed.set(self.is_closed() || is_lost);
-    }
-
     /// Shows a page instead of the one before. A pipe gets what is `new` in it.
     pub fn show(&self, page: &str, new: &str) {
         let Some(terminal) = &self.terminal else {

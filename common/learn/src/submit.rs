@@ -55,8 +55,8 @@ fn pack(begun: &[&Exercise], progress: &Progress) -> Result<Vec<u8>, String> {
             return Err(format!("{path} is a link; hand in the file itself"));
         }
         let name = format!("{}/exercises/{}.rs", e.stage, e.name);
-        let bytes = fs::read(&yours).map_err(with_path(&yours))?;
-        add(&mut zip, &name, &bytes)?;
+        let text = files::text_of(&yours)?;
+        add(&mut zip, &name, text.as_bytes())?;
         results.push(format!("{} {}\n", e.name, progress.mark(e)));
     }
     add(&mut zip, "results.txt", results.concat().as_bytes())?;

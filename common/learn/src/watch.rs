@@ -4,11 +4,10 @@ use std::time::Duration;
 
 use crate::check_all::CheckAll;
 use crate::exercise::Exercise;
-use crate::files;
+use crate::files::{self, Saved};
 use crate::keys::Keys;
 use crate::page::{Page, Step};
 use crate::progress::Progress;
-use crate::review;
 use crate::screen::Screen;
 
 /// Time between two looks at the file and the keyboard.
@@ -23,16 +22,18 @@ pub struct Session {
     pub progress: Progress,
     pub screen: Screen,
     pub keys: Keys,
+    /// The files of all exercises when they were last looked at.
+    pub saved: Vec<Saved>,
 }
 
-/// Shows one exercise after the other until the student quits. Returns how many are done, and how
-/// many questions are for today.
+/// Shows one exercise after the other until the student quits. Returns how many are done.
 pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<String, String> {
     let mut session = Session {
         course,
         progress: Progress::read(),
         screen: Screen::new(),
         keys: Keys::default(),
+        saved: course.iter().map(files::saved).collect(),
     };
     let mut page = Page::new(first);
     loop {
@@ -49,12 +50,7 @@ pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<St
             },
         };
     }
-    let mut words = session.progress.bars(course, session.screen.width());
-    if let Some(reminder) = review::reminder(course) {
-        words += "\n";
-        words += &reminder;
-    }
-    Ok(words)
+    Ok(session.progress.bars(course, session.screen.width()))
 }
 
 /// Checks all files once more, as checks and files may have changed, and shows an exercise that

@@ -22,6 +22,10 @@ const FILES: &[(&str, &str)] = &[
     ("panic", "panic!()"),
     ("broken", "{"),
     ("loop", "println!(\"starts\"); loop {}"),
+    (
+        "recursion",
+        "fn f(n: u64) -> u64 { 1 + std::hint::black_box(f as fn(u64) -> u64)(n) } f(1) as i32",
+    ),
     // Clears a terminal, and colours it.
     ("control", r#"print!("\u{1b}[2J\u{1b}[31m"); 1"#),
     ("chatty", "println!(\"a word\"); 0"),
@@ -65,10 +69,11 @@ const STEPS: &[(&str, &str)] = &[
     ("diagonal", ">to do|right>: done|x>begin again|z>nothing is changed|x>begin again|y>your file is kept"),
     ("diagonal", "look>to do|look>] 1 of 5|right>: done|look>] 2 of 5|c>2 files are checked, 2 of them are done"),
     ("diagonal", "z>h hint|n>exercises/products.rs"),
-    ("products", "panic>: not yet|right>: done|>exercises/angle.rs"),
+    ("line", "wrong>line.rs is saved, the file of another exercise|delete>"),
+    ("products", "panic>: not yet|recursion>probably by a recursion without end|right>: done|>exercises/angle.rs"),
     ("angle", "broken>: does not compile|c>3 of them are done; open: angle|n>exercises/reflected.rs"),
     ("reflected", "right>: done|broken>: does not compile|right>: done|>exercises/angle.rs"),
-    ("angle", "chatty>: done|look>its questions: cargo learn review a01|m>a word|look>: done|>exercises/ppm.rs"),
+    ("angle", "chatty>a word|look>: done|>exercises/ppm.rs"),
     ("ppm", "many>line 50|look>… 8951 more lines; out/exercises/ppm.txt has all|look>: not yet"),
     ("ppm", "control>\\u{1b}[2J\\u{1b}[31m|panic>: not yet|n>exercises/srgb.rs"),
     ("srgb", "delete>srgb.rs is deleted|>to do|n>exercises/line.rs"),
@@ -99,19 +104,29 @@ fn text(kind: &str) -> Option<String> {
     Some(format!("{tenth}\npub fn check() -> i32 {{ {code} }}"))
 }
 
-/// The page that sets the exercises, of which the first ones are the core path.
+/// The list of the exercises, of which the first ones are the core path, and one that no page sets.
+fn list() -> String {
+    let mut list = String::new();
+    let mut core = "core = true";
+    for name in EXERCISES {
+        if name == "ppm" {
+            core = "";
+        }
+        let row = format!(
+            "[[exercise]]\nname = \"{name}\"\ntitle = \"The {name}\"\nminutes = 10\n{core}\n\
+             hints = [\"Look at it.\"]\n"
+        );
+        list += &row;
+    }
+    list + "[[exercise]]\nname = \"own\"\ntitle = \"Its title\"\nminutes = 5\nhints = [\"Its hint.\"]\n"
+}
+
+/// The page with the tasks.
 fn page() -> String {
     let mut page = "# Exercises\n\n## Build along\n".to_owned();
     for name in EXERCISES {
-        if name == "ppm" {
-            page += "\n## Further exercises\n";
-        }
-        let section = format!(
-            "\n### The {name}\n\n*10 minutes, in\n`a01-image-display/exercises/{name}.rs`*\n\n\
-             Write it.\n\n```text\ncargo learn {name}\n```\n\n<details><summary>Hint</summary>\n\n\
-             Look at it.\n\n</details>\n\n\
-             Solution: `a01-image-display/exercises/solutions/{name}.rs`\n"
-        );
+        let section =
+            format!("\n### The {name}\n\nWrite it.\n\n```text\ncargo learn {name}\n```\n");
         page += &section;
     }
     page
@@ -133,28 +148,16 @@ fn each_step_is_answered() {
     let to_do = text("starter").unwrap();
     let names = STEPS.iter().map(|(name, _)| name).collect::<BTreeSet<_>>();
     let modules = names.iter().map(|name| {
-        write(&file(&format!("starters/{name}")), &to_do);
+        write(&file(&format!("solutions/{name}")), &to_do);
         format!("#[cfg({name})] #[path = \"{}\"] mod yours;\n", file(name))
     });
     let main = "fn main() { std::process::exit(yours::check()) }";
     write("main.rs", &(modules.collect::<String>() + main));
     write("Cargo.toml", PACKAGE);
     write("book/src/a01-exercises.md", &page());
-    let question = "**Why?**\n\n<details class=\"answer\" id=\"why\">\n<summary>Answer</summary>\n\n\
-        So.\n\n</details>\n";
-    let chapter = format!("# Pixels\n\n## Check yourself\n\n{question}");
-    write("book/src/a01-image-display.md", &chapter);
-
-    // An exercise that no page sets.
-    let task = "//! Its title, 5 minutes\n//!\n//! Its task.\n";
-    write(&file("starters/own"), &[task, &to_do].concat());
-    let check = "a01-image-display/tests/exercises/own.rs";
-    write(check, "//! Compares.\n//!\n//! Its hint.\n");
-    // What an editor leaves beside it is no exercise.
-    write(&file("starters/.#own"), "");
-    fs::write(file("starters/own") + "~", "").unwrap();
+    write("a01-image-display/exercises/exercises.toml", &list());
     let hint = learn(&["hint", "own"]).output().unwrap();
-    assert_eq!(hint.stdout, b"Its title\n\nIts hint.\n");
+    assert_eq!(hint.stdout, b"Its title\n\nHint 1 of 1\n\nIts hint.\n");
 
     let output = learn(&["hint", "diagnal"]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
@@ -255,7 +258,11 @@ fn check_once(file: &dyn Fn(&str) -> String) {
         words.contains("what is done is not kept: .learn: "),
         "{words}"
     );
-    fs::write(file("set_pixel"), [0xFF]).unwrap();
+    fs::write(file("set_pixel"), b"a\n\xFF").unwrap();
     let (is_right, words) = run(&["check", "set_pixel"]);
-    assert!(!is_right && words.contains("UTF-8"), "{words}");
+    let latin = "exercises/set_pixel.rs: line 2 has a letter that is not in UTF-8";
+    assert!(!is_right && words.contains(latin), "{words}");
+    fs::write(file("set_pixel"), b"\xFF\xFEa\0").unwrap();
+    let (is_right, words) = run(&["check", "set_pixel"]);
+    assert!(!is_right && words.contains("a text in UTF-16"), "{words}");
 }

@@ -6,7 +6,6 @@ use console::style;
 use super::{KEYS, Page, RESET};
 use crate::files;
 use crate::report::Report;
-use crate::review;
 use crate::screen::Screen;
 use crate::watch::Session;
 
@@ -20,7 +19,7 @@ impl Page {
     pub(super) fn task_and_notes(&self, screen: &Screen) -> String {
         let mut parts = vec![
             self.heading(screen),
-            screen.wrap_markdown(&self.exercise.task),
+            screen.wrap_markdown(&self.exercise.task()),
         ];
         parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
         parts.join("\n\n") + "\n"
@@ -31,16 +30,10 @@ impl Page {
         let screen = &session.screen;
         let mut parts = vec![
             self.heading(screen),
-            screen.wrap_markdown(&self.exercise.task),
+            screen.wrap_markdown(&self.exercise.task()),
         ];
         if let Some(report) = &self.report {
             parts.push(self.verdict(report, screen));
-            if report.is_done
-                && let Some(words) =
-                    review::invitation(session.course, self.exercise, &session.progress)
-            {
-                parts.push(screen.wrap(&words));
-            }
         }
         parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
         if let Some(warning) = session.progress.warning() {

@@ -6,10 +6,10 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, ExitStatus, Stdio};
 
-use crate::files::{self, with_path};
+use learn::files::{self, with_path};
 
 /// The limits, and how they are set.
-const SCRIPT: &str = include_str!("../../handout/sandbox.sh");
+const SCRIPT: &str = include_str!("../handout/sandbox.sh");
 
 /// Where a program sees the folder, if bubblewrap runs.
 const INSIDE: &str = "/course";
@@ -80,6 +80,9 @@ impl Sandbox {
     /// and what it says before its answers, without the messages of Cargo to programs.
     pub fn words(&self, ended: &Ended, fails: &str) -> String {
         let mut words = match ended.end {
+            End::Limit(_) if ended.output.contains("has overflowed its stack") => {
+                "the stack overflows, probably by a recursion without end".to_owned()
+            }
             End::Success | End::Failure => fails.to_owned(),
             End::Begun => "begun".to_owned(),
             End::Limit(of) => format!("stopped by the limit of {of}"),

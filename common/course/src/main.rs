@@ -1,32 +1,51 @@
-//! The part of `cargo learn` for lecturers: hands a workbook out, and grades what comes back.
+//! `cargo course`: hands a workbook out to students, and grades what comes back. No student builds
+//! it.
 
-mod class;
+mod file_name;
 mod grade;
 mod grading_folder;
 mod hand_in;
 mod handout;
 mod judge;
 mod outcome;
-mod platform;
 mod refusal;
 mod results;
 mod sandbox;
 mod submission;
 
+use std::process::ExitCode;
+
+use clap::Parser;
+use common::text;
+use learn::exercise::{self, Exercise};
+
 use grade::Grade;
 use handout::Handout;
 
-use crate::exercise::Exercise;
-
-/// The commands for lecturers.
-#[derive(clap::Subcommand)]
-pub enum Command {
+/// Hands a workbook out to students, and grades what comes back
+#[derive(Parser)]
+#[command(bin_name = "cargo course")]
+enum Command {
     Handout(Handout),
     Grade(Grade),
 }
 
+fn main() -> ExitCode {
+    match run(Command::parse()) {
+        Ok(words) => {
+            println!("{words}");
+            ExitCode::SUCCESS
+        }
+        Err(problem) => {
+            eprintln!("cargo course: {}", text::message(&problem));
+            ExitCode::FAILURE
+        }
+    }
+}
+
 /// Runs a command, and returns its words.
-pub fn run(command: Command, course: &'static [Exercise]) -> Result<String, String> {
+fn run(command: Command) -> Result<String, String> {
+    let course = exercise::read_all()?;
     match command {
         Command::Handout(handout) => handout.run(course),
         Command::Grade(grade) => grade.run(course),

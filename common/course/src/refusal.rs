@@ -3,10 +3,10 @@
 //! It is found by its words: a macro can hide a call, and nothing finds the lesson's text in another
 //! file.
 
-use crate::exercise::Exercise;
+use learn::exercise::Exercise;
 
 /// For each exercise, words that its code has only if it calls the lesson, and such words of all.
-const LESSONS: &str = include_str!("../../handout/lessons.txt");
+const LESSONS: &str = include_str!("../handout/lessons.txt");
 
 /// Why a file is not judged.
 pub fn refusal(e: &Exercise, text: &str) -> Option<String> {
@@ -28,12 +28,13 @@ fn words(name: &str) -> impl Iterator<Item = &'static str> {
 
 #[cfg(test)]
 mod tests {
+    use learn::files;
+
     use super::*;
-    use crate::files;
 
     #[test]
     fn files_that_take_the_lesson_are_refused_and_starters_are_not() {
-        for e in crate::exercise::read_all().unwrap() {
+        for e in learn::exercise::read_all().unwrap() {
             let starter = files::starter(e).unwrap();
             assert_eq!(refusal(e, &starter), None, "{}", e.name);
             let lesson = format!("pub use {}::*;\n{starter}", e.stage.replace('-', "_"));
@@ -48,7 +49,7 @@ mod tests {
 
     #[test]
     fn files_that_start_programs_or_read_files_are_refused() {
-        let e = crate::exercise::find("sphere").unwrap();
+        let e = learn::exercise::find("sphere").unwrap();
         for line in [
             "std::process::Command::new(\"cat\")",
             "use std::process;",

@@ -5,13 +5,14 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
-use super::exercises;
-use super::grading_folder::{Workbook, output_of};
-use crate::exercise::Exercise;
-use crate::files::{self, with_path};
+use learn::exercise::Exercise;
+use learn::files::{self, with_path};
+
+use crate::exercises;
+use crate::grading_folder::{Workbook, output_of};
 
 /// The page for students, with `{stage}` instead of the last stage.
-const README: &str = include_str!("../../handout/README.md");
+const README: &str = include_str!("../handout/README.md");
 
 /// The files and folders that are handed out.
 const PARTS: [&str; 16] = [
@@ -34,15 +35,15 @@ const PARTS: [&str; 16] = [
     "corpus/src",
 ];
 
-/// For lecturers: writes a workbook for students
+/// Writes a workbook for students
 #[derive(clap::Args, Default)]
 pub struct Handout {
     /// A new folder
     pub folder: PathBuf,
-    /// The last stage, as a04 [default: all stages]
+    /// The last stage, such as a04 [default: all stages]
     #[arg(long, value_name = "STAGE")]
     pub until: Option<String>,
-    /// Leaves out the folders of solutions, which are those that are no lessons
+    /// Leaves out the solutions that are no lessons
     #[arg(long)]
     pub without_solutions: bool,
 }
@@ -66,7 +67,7 @@ impl Handout {
         }
         // Cargo forgets the packages that the handout does not need.
         let mut cargo = Command::new("cargo");
-        cargo.args(["metadata", "--format-version=1", "--quiet"]);
+        cargo.args(["update", "--workspace", "--offline", "--quiet"]);
         output_of(cargo.current_dir(folder))?;
         let count = exercises(course, self.until.as_ref())?.len();
         Ok(format!(
@@ -109,6 +110,7 @@ fn paths(above: &[Exercise]) -> Result<Vec<String>, String> {
         "--exclude-standard",
     ]);
     git.args(PARTS);
+    git.arg(":(exclude)common/course");
     for e in above {
         git.arg(format!(":(exclude)*{}-*", &e.stage[..3]));
     }
@@ -160,7 +162,7 @@ mod tests {
             eprintln!("skipped: a handout is written by a workbook in Git");
             return;
         }
-        let course = crate::exercise::read_all().unwrap();
+        let course = learn::exercise::read_all().unwrap();
         let handout = Handout {
             without_solutions: true,
             ..Handout::default()

@@ -1,7 +1,7 @@
 //! `GradingFolder`: a folder in which one file after the other is compiled and judged.
 //!
-//! Each grading has its own, and with `--jobs` several: `target/grading/1`, `2` and so on, of which
-//! none is used by two at once. They remain, so that the next grading has nothing to build.
+//! Each grading that runs at the same time has its own: `target/grading/1`, `2` and so on. They remain,
+//! so that the next grading has nothing to build.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -9,8 +9,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::sandbox::{End, Limits, Sandbox};
-use crate::files::{self, with_path};
+use learn::exercise::Exercise;
+use learn::files::{self, with_path};
+
+use crate::sandbox::{End, Ended, Limits, Sandbox};
 
 /// The name of the file that says that everything is built.
 const BUILT: &str = "built";
@@ -53,13 +55,13 @@ impl GradingFolder {
     }
 
     /// The place of a file in its workbook.
-    pub fn in_workbook(&self, path: &str) -> PathBuf {
+    fn in_workbook(&self, path: &str) -> PathBuf {
         self.folder().join("workbook").join(path)
     }
 
-    /// Writes what has changed of the workbook, and builds what is not built. One folder is built at
+    /// Writes what has changed of the workbook, and builds the stages of the exercises. One folder is built at
     /// a time; a new one begins with a copy of what another one has built.
-    pub fn prepare(&self, workbook: &Workbook) -> Result<(), String> {
+    pub fn prepare(&self, workbook: &Workbook, exercises: &[&Exercise]) -> Result<(), String> {
         let path = all_folders().join("lock");
         let building = File::create(&path).map_err(with_path(&path))?;
         building.lock().map_err(with_path(&path))?;
@@ -68,20 +70,42 @@ impl GradingFolder {
         update(&root, workbook).map_err(with_path(&root))?;
         // Cargo forgets the packages that the handout does not need.
         let mut cargo = Command::new("cargo");
-        cargo.args(["metadata", "--offline", "--format-version=1", "--quiet"]);
+        cargo.args(["update", "--workspace", "--offline", "--quiet"]);
         output_of(cargo.current_dir(&root))?;
         let target = self.folder().join("target");
         if !target.exists() {
             self.copy_target_of_another();
         }
         fs::create_dir_all(&target).map_err(with_path(&target))?;
-        let build = "cargo test --offline --quiet --no-run --test exercises";
-        let built = self.sandbox.run(Limits::All, build.split(' '))?;
-        if built.end != End::Success {
-            return Err(format!("the handout does not build\n{}", built.output));
+        for e in exercises.chunk_by(|a, b| a.stage == b.stage) {
+            self.build_stage(e[0])?;
         }
         let built = self.folder().join(BUILT);
         fs::write(&built, "").map_err(with_path(&built))
+    }
+
+    /// Builds a stage by the words by which its students' files are built, so that for each of them
+    /// only the file itself is compiled within the student's limit of time.
+    fn build_stage(&self, e: &Exercise) -> Result<(), String> {
+        let built = self.build(e, &files::starter(e)?, Limits::All)?;
+        if built.end == End::Success {
+            return Ok(());
+        }
+        Err(format!("{} does not build\n{}", e.stage, built.output))
+    }
+
+    /// Builds the program of an exercise with a file, which is there only meanwhile: the next one
+    /// shall not find it.
+    pub fn build(&self, e: &Exercise, text: &str, limits: Limits) -> Result<Ended, String> {
+        let file = self.in_workbook(&format!("{}/exercises/{}.rs", e.stage, e.name));
+        fs::write(&file, text).map_err(with_path(&file))?;
+        let mut build = ["cargo", "--offline", "--quiet"]
+            .map(str::to_owned)
+            .to_vec();
+        build.extend(learn::arguments(e));
+        let built = self.sandbox.run(limits, build);
+        fs::remove_file(&file).map_err(with_path(&file))?;
+        built
     }
 
     /// If another folder is built, copies its `target`. Its files of the last student may vanish

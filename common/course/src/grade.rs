@@ -1,0 +1,116 @@
+//! `grade`: judges the files of students in a handout without solutions.
+
+use std::fs;
+use std::path::PathBuf;
+
+use learn::exercise::{self, Exercise};
+use learn::files::with_path;
+
+use crate::exercises;
+use crate::grading_folder::GradingFolder;
+use crate::handout::Handout;
+use crate::judge::judge;
+use crate::outcome::{Graded, Judged, Outcome, State};
+use crate::results;
+use crate::submission::{self, Found, Submission};
+
+/// Judges what students hand in, with limits
+#[derive(clap::Args)]
+pub struct Grade {
+    /// A folder or zip file of a student, or of all students; without any, only what is needed is
+    /// built
+    #[arg(value_name = "FOLDER_OR_ZIP")]
+    paths: Vec<PathBuf>,
+    /// The last stage whose exercises count, such as a04 [default: all stages]
+    #[arg(long, value_name = "STAGE")]
+    until: Option<String>,
+    /// The exercises that count [default: all of the stages]
+    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',', value_parser = exercise::find)]
+    exercises: Vec<&'static Exercise>,
+    /// Also writes results.csv and a text for each student into this folder
+    #[arg(long, short, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+}
+
+impl Grade {
+    /// Judges all submissions, prints each, and returns how many there are. It is an error if
+    /// something needs a look.
+    pub fn run(mut self, course: &'static [Exercise]) -> Result<String, String> {
+        if !cfg!(target_os = "linux") {
+            let instead = "on Windows use WSL, on macOS a virtual machine or a container";
+            return Err(format!("files are judged on Linux only; {instead}"));
+        }
+        if self.exercises.is_empty() {
+            self.exercises
+                .extend(exercises(course, self.until.as_ref())?);
+        }
+        self.exercises
+            .sort_by_key(|e| course.iter().position(|of| of == *e));
+        for path in &self.paths {
+            fs::metadata(path).map_err(with_path(path))?;
+        }
+        let submissions = submission::read(&self.paths, course);
+        let submissions = submissions.map_err(|error| format!("a folder: {error}"))?;
+        let folder = self.prepare(course)?;
+        if self.paths.is_empty() {
+            return Ok("all is built".to_owned());
+        }
+        let mut graded = Vec::new();
+        let mut unclear = Vec::new();
+        for submission in &submissions {
+            let student = self.judge_all(submission, &folder);
+            print!("{}", results::text(&student));
+            let needs_a_look = |judged: &Judged| judged.outcome.state == State::NeedsALook;
+            if student.results.iter().any(needs_a_look) {
+                unclear.push(student.name.clone());
+            }
+            graded.push(student);
+        }
+        if let Some(folder) = &self.output {
+            results::write(folder, &graded)?;
+        }
+        if unclear.is_empty() {
+            return Ok(format!("{} submissions are judged", graded.len()));
+        }
+        Err(format!("these need a look: {}", unclear.join(", ")))
+    }
+
+    /// A folder with a handout without solutions, which is built.
+    fn prepare(&self, course: &'static [Exercise]) -> Result<GradingFolder, String> {
+        let handout = Handout {
+            until: self.exercises.iter().map(|e| e.stage.to_owned()).max(),
+            without_solutions: true,
+            ..Handout::default()
+        };
+        let folder = GradingFolder::take()?;
+        folder.prepare(&handout.workbook(course)?, &self.exercises)?;
+        Ok(folder)
+    }
+
+    /// Judges the files of a student, one after the other.
+    fn judge_all(&self, submission: &Submission, folder: &GradingFolder) -> Graded {
+        let mut results = Vec::new();
+        for e in &self.exercises {
+            let (mut file, mut about) = (String::new(), String::new());
+            let outcome = match submission.find(e) {
+                Found::Nothing => Outcome::without_answers(State::NotHandedIn, ""),
+                Found::Unclear(why) => Outcome::without_answers(State::NeedsALook, &why),
+                Found::File { path, text, note } => {
+                    path.clone_into(&mut file);
+                    about = note;
+                    judge(folder, e, text)
+                }
+            };
+            results.push(Judged {
+                exercise: e,
+                file,
+                note: about,
+                outcome,
+            });
+        }
+        Graded {
+            name: submission.name.clone(),
+            results,
+        }
+    }
+}

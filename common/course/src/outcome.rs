@@ -1,0 +1,80 @@
+//! `Outcome`: what became of an exercise in a submission.
+
+use learn::exercise::Exercise;
+
+/// What is known about an exercise of a submission.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    Right,
+    Wrong,
+    NotHandedIn,
+    /// Nothing could be judged: a person has to look.
+    NeedsALook,
+}
+
+impl State {
+    pub const ALL: [Self; 4] = [
+        Self::Right,
+        Self::Wrong,
+        Self::NotHandedIn,
+        Self::NeedsALook,
+    ];
+
+    /// The state in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Wrong => "wrong",
+            Self::NotHandedIn => "not handed in",
+            Self::NeedsALook => "needs a look",
+        }
+    }
+}
+
+/// What became of an exercise in a submission.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    pub state: State,
+    /// Words for the student; empty if there is nothing to say.
+    pub message: String,
+    /// The fraction of right answers of code that is complete.
+    pub fraction: f64,
+    /// What is wrong, in one line, by which a table can be sorted.
+    pub mistake: String,
+}
+
+impl Outcome {
+    /// An outcome without answers. The first line of the message says what is wrong.
+    pub fn without_answers(state: State, message: &str) -> Self {
+        let first = message.lines().next().unwrap_or_default();
+        Self {
+            state,
+            message: message.to_owned(),
+            fraction: 0.0,
+            mistake: first.to_owned(),
+        }
+    }
+
+    pub fn right() -> Self {
+        Self {
+            fraction: 1.0,
+            ..Self::without_answers(State::Right, "")
+        }
+    }
+}
+
+/// An exercise of a submission, judged.
+pub struct Judged {
+    pub exercise: &'static Exercise,
+    /// The student's file; empty if there is none.
+    pub file: String,
+    /// What a lecturer has to know about the file, such as that it is late.
+    pub note: String,
+    pub outcome: Outcome,
+}
+
+/// A student's submission, judged.
+pub struct Graded {
+    pub name: String,
+    pub results: Vec<Judged>,
+}

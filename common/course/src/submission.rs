@@ -1,0 +1,358 @@
+//! `Submission`: the files of a student, and which of them is the file of an exercise.
+//!
+//! The student is the name of a folder, of a zip file, or of a file without the exercise in it. The
+//! exercise is the name of the file.
+
+#[cfg(test)]
+mod tests;
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Component, Path, PathBuf};
+use std::{io, mem};
+
+use common::text;
+use learn::exercise::Exercise;
+
+use crate::file_name::{is_late, person, split_time, stem};
+use crate::hand_in::{Content, HandedFile, files_in, is_zip};
+
+/// The most names in a message.
+const MOST_NAMES: usize = 10;
+
+/// Folders of the workbook beside or around the students' files, whose files have the same names.
+const OF_WORKBOOK: [&str; 8] = [
+    "answers",
+    "benches",
+    "examples",
+    "functions",
+    "kinds",
+    "solutions",
+    "src",
+    "tests",
+];
+
+/// The folder of a student's files in a stage.
+const EXERCISES: &str = "exercises";
+
+/// Extensions of files that may hold an exercise under another name.
+const MAY_HOLD_CODE: [&str; 9] = ["rs", "zip", "7z", "rar", "tar", "gz", "tgz", "xz", "bz2"];
+
+/// Extensions of tables and texts, which a platform adds and no student hands in as code.
+const TEXTS: [&str; 12] = [
+    "", "csv", "htm", "html", "json", "md", "ods", "txt", "xls", "xlsx", "yaml", "yml",
+];
+
+/// The files of a student.
+#[derive(Debug)]
+pub struct Submission {
+    /// The folders and zip files down to the student's, as many of them as tell students apart.
+    pub name: String,
+    files: Vec<StudentsFile>,
+}
+
+#[derive(Debug)]
+struct StudentsFile {
+    /// The folders around it that are no part of the workbook.
+    folders: Vec<String>,
+    /// Its path below the place that was handed in.
+    path: String,
+    content: Content,
+    kind: Kind,
+    /// The words before the name of the exercise.
+    person: String,
+    is_late: bool,
+    /// When it was handed in, if a name says so.
+    time: String,
+}
+
+/// What a file is, by its path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Exercise(&'static str),
+    /// It may be one, under another name.
+    Unknown,
+    /// A text or table, or a folder.
+    Text,
+    /// A part of the workbook, or something else that is no exercise.
+    Other,
+}
+
+/// The file of an exercise in a submission.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Found<'a> {
+    File {
+        path: &'a str,
+        text: &'a str,
+        /// That it is late, or the later one of several.
+        note: String,
+    },
+    Nothing,
+    /// Nobody can tell without a look; why, in words for the student.
+    Unclear(String),
+}
+
+/// The submissions in folders and zip files, in the order of their names.
+pub fn read(places: &[PathBuf], course: &'static [Exercise]) -> io::Result<Vec<Submission>> {
+    let is_wanted = |name: &str| course.iter().any(|e| name.to_lowercase().contains(e.name));
+    let mut places: Vec<_> = places.to_vec();
+    places.dedup();
+    let mut students: BTreeMap<Vec<String>, Vec<StudentsFile>> = BTreeMap::new();
+    for place in &places {
+        let typed = typed(place)?;
+        let mut files = Vec::new();
+        for file in files_in(place, &typed, &is_wanted) {
+            files.push(StudentsFile::new(file, typed.len(), course));
+        }
+        let (level, is_class) = level(&files, typed);
+        for mut file in files {
+            let mut student = level.clone();
+            match file.folders.get(level.len()).filter(|_| is_class) {
+                Some(folder) => student.push(split_time(folder).0),
+                // A table beside the students' folders is nobody's.
+                None if is_class && file.kind == Kind::Text => continue,
+                None if is_class => student.push(mem::take(&mut file.person)),
+                None => {}
+            }
+            if !file.person.is_empty() {
+                // Of a known student, it is named neither after a student nor after an exercise.
+                file.kind = Kind::Unknown;
+            }
+            students.entry(student).or_default().push(file);
+        }
+    }
+    Ok(with_names(students))
+}
+
+/// The parts of a path as it is typed; of a path such as `..`, those of the folder.
+fn typed(place: &Path) -> io::Result<Vec<String>> {
+    let mut path = place.to_owned();
+    if place.file_name().is_none() {
+        path = place.canonicalize()?;
+    }
+    let mut parts = Vec::new();
+    for part in path.components() {
+        if let Component::Normal(part) = part {
+            parts.push(part.to_string_lossy().into_owned());
+        }
+    }
+    Ok(parts)
+}
+
+/// The folders around all students, and whether there is a class in them: a folder or a file for
+/// each student. Otherwise the last folder is the student's. A folder that is alone is entered.
+fn level(files: &[StudentsFile], mut level: Vec<String>) -> (Vec<String>, bool) {
+    loop {
+        let mut folders = BTreeSet::new();
+        let mut here = Vec::new();
+        for file in files.iter().filter(|file| file.folders.starts_with(&level)) {
+            match file.folders.get(level.len()) {
+                Some(folder) => drop(folders.insert(folder)),
+                None if file.kind == Kind::Text => {}
+                None => here.push(file),
+            }
+        }
+        if !here.is_empty() {
+            here.retain(|file| matches!(file.kind, Kind::Exercise(_)));
+            let are_named = !here.is_empty() && here.iter().all(|file| !file.person.is_empty());
+            let is_class = are_named || has_copies(files, level.len());
+            return (level, is_class);
+        }
+        match folders.pop_first() {
+            Some(only) if folders.is_empty() => level.push(only.clone()),
+            other => return (level, other.is_some()),
+        }
+    }
+}
+
+/// Whether an exercise is in two folders of a level.
+fn has_copies(files: &[StudentsFile], level: usize) -> bool {
+    let mut first = BTreeMap::new();
+    for file in files {
+        if let (Kind::Exercise(name), Some(folder)) = (file.kind, file.folders.get(level))
+            && *first.entry(name).or_insert(folder) != folder
+        {
+            return true;
+        }
+    }
+    false
+}
+
+/// The submissions, named by the parts of their paths that are not those of all.
+fn with_names(students: BTreeMap<Vec<String>, Vec<StudentsFile>>) -> Vec<Submission> {
+    let paths: Vec<_> = students.keys().collect();
+    let mut shared = 0;
+    while paths.len() > 1
+        && paths
+            .iter()
+            .all(|path| shared + 1 < path.len() && path[shared] == paths[0][shared])
+    {
+        shared += 1;
+    }
+    let mut named = Vec::new();
+    for (path, files) in students {
+        let mut names = Vec::new();
+        for part in &path[shared..] {
+            let is_named = !part.is_empty();
+            let end = part.len() - if is_zip(part) { ".zip".len() } else { 0 };
+            names.extend(is_named.then(|| text::visible(&part[..end])));
+        }
+        let name = names.join("/");
+        named.push(Submission { name, files });
+    }
+    named
+}
+
+impl StudentsFile {
+    /// A file in a place whose path has so many parts.
+    fn new(file: HandedFile, typed: usize, course: &'static [Exercise]) -> Self {
+        let (name, around) = match file.path.split_last() {
+            Some((name, around)) => (name.as_str(), around),
+            None => ("", &[][..]),
+        };
+        let typed = typed.min(around.len());
+        let is_stage = |folder: &str| course.iter().any(|e| e.stage == folder);
+        let is_own = |folder: &String| folder == EXERCISES || is_stage(folder);
+        let first = around[typed..].iter().position(is_own);
+        let (before, workbook) = around.split_at(first.map_or(around.len(), |at| typed + at));
+
+        let (stem, extension) = stem(name);
+        let mut named = None;
+        for e in course {
+            // The longest name counts.
+            if let Some(person) = person(&stem, e.name)
+                && named.is_none_or(|(other, _): (&str, &str)| e.name.len() > other.len())
+            {
+                named = Some((e.name, person));
+            }
+        }
+        let is_listed = |folder: &String| OF_WORKBOOK.contains(&&**folder);
+        let kind = match named {
+            _ if is_of_workbook(workbook) => Kind::Other,
+            Some((name, _)) if extension == "rs" && !before.last().is_some_and(is_listed) => {
+                Kind::Exercise(name)
+            }
+            Some(_) => Kind::Unknown,
+            None if TEXTS.contains(&&*extension) => Kind::Text,
+            None if before[typed..].iter().any(is_listed) || !workbook.is_empty() => Kind::Other,
+            None if MAY_HOLD_CODE.contains(&&*extension) => Kind::Unknown,
+            None => Kind::Other,
+        };
+        let mut time = String::new();
+        let mut is_late_in = false;
+        for part in &file.path[typed.saturating_sub(1)..] {
+            time = split_time(part).1.unwrap_or(time);
+            is_late_in |= is_late(part);
+        }
+        let inner = before[typed..].iter().filter(|folder| *folder != "late");
+        Self {
+            folders: before[..typed].iter().chain(inner).cloned().collect(),
+            path: text::visible(&file.path[typed..].join("/")),
+            content: file.content,
+            kind,
+            person: named.map_or("", |(_, person)| person).to_owned(),
+            is_late: is_late_in,
+            time,
+        }
+    }
+}
+
+/// Whether folders that begin with a stage or with its exercises hold something else than a student's
+/// file: the lesson, a check, a starter.
+fn is_of_workbook(folders: &[String]) -> bool {
+    let inner = match folders {
+        [] | [_] => return false,
+        [first, inner @ ..] if first == EXERCISES => inner,
+        [_, second, inner @ ..] if second == EXERCISES => inner,
+        _ => return true,
+    };
+    inner.iter().any(|folder| OF_WORKBOOK.contains(&&**folder))
+}
+
+impl Submission {
+    /// The file of an exercise: of several that differ, the latest, if their names have times.
+    pub fn find(&self, e: &Exercise) -> Found<'_> {
+        let mut copies: Vec<&StudentsFile> = Vec::new();
+        for file in &self.files {
+            let is_same =
+                |copy: &&StudentsFile| copy.content == file.content && copy.is_late == file.is_late;
+            if file.kind == Kind::Exercise(e.name) && !copies.iter().any(is_same) {
+                copies.push(file);
+            }
+        }
+        copies.sort_by_key(|file| Reverse((file.is_late, &file.time)));
+        let latest = match copies.as_slice() {
+            [] => return self.without_file(),
+            [first, second, ..]
+                if (first.is_late, &first.time) == (second.is_late, &second.time) =>
+            {
+                let count = copies.len();
+                let names = names(copies.iter().map(|file| file.path.clone()));
+                return Found::Unclear(format!("there are {count} copies: {names}; hand in one"));
+            }
+            [first, ..] => first,
+        };
+        let text = match &latest.content {
+            Content::Text(text) => text,
+            Content::Problem(problem) => {
+                return Found::Unclear(format!("{}: {problem}", latest.path));
+            }
+            Content::NotWanted => {
+                return Found::Unclear(format!("{}: it is not read", latest.path));
+            }
+        };
+        let mut notes = Vec::new();
+        if latest.is_late {
+            notes.push("late".to_owned());
+        }
+        if copies.len() > 1 {
+            notes.push(format!("the latest of {}", copies.len()));
+        }
+        Found::File {
+            path: &latest.path,
+            text,
+            note: notes.join(", "),
+        }
+    }
+
+    /// Whether an exercise without a file is not handed in, or there are files that may be it.
+    fn without_file(&self) -> Found<'_> {
+        let is_exercise = |file: &StudentsFile| matches!(file.kind, Kind::Exercise(_));
+        let has_exercises = self.files.iter().any(is_exercise);
+        let mut others = Vec::new();
+        for file in &self.files {
+            let is_folder = file.path.is_empty() || file.path.ends_with('/');
+            let is_listed = match file.kind {
+                Kind::Exercise(_) => false,
+                Kind::Unknown => true,
+                Kind::Text | Kind::Other => !has_exercises && !is_folder,
+            };
+            if is_listed {
+                others.push(match &file.content {
+                    Content::Problem(problem) => format!("{} ({problem})", file.path),
+                    _ => file.path.clone(),
+                });
+            }
+        }
+        if has_exercises && others.is_empty() {
+            return Found::Nothing;
+        }
+        let count = others.len();
+        let names = names(others.into_iter());
+        Found::Unclear(match (has_exercises, count) {
+            (true, _) => format!("not found, unless it is in {names}"),
+            (false, 0) => "it is empty".to_owned(),
+            (false, _) => format!("no file has the name of an exercise; it has {names}"),
+        })
+    }
+}
+
+/// Names in a message, and how many others there are.
+fn names(all: impl ExactSizeIterator<Item = String>) -> String {
+    let count = all.len();
+    let first = all.take(MOST_NAMES).collect::<Vec<_>>().join(", ");
+    match count.checked_sub(MOST_NAMES) {
+        None | Some(0) => first,
+        Some(more) => format!("{first} and {more} more"),
+    }
+}

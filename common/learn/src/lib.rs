@@ -1,0 +1,222 @@
+//! `cargo learn`: leads through the exercises of all stages, and checks them on save.
+//!
+//! An exercise is a row of the stage's `exercises.toml`, a section of the book's page
+//! `aNN-exercises.md`, and a starter, which is copied to the student's file. The test program of the
+//! stage judges it, built with this file alone, so that a file that does not compile stops no other
+//! exercise. The grader of a course reads the same lists, and builds by the same words.
+
+mod book;
+mod build;
+mod check_all;
+mod corpus;
+mod editor;
+pub mod exercise;
+pub mod files;
+mod judgement;
+mod keys;
+mod lines;
+mod list;
+mod output;
+mod page;
+mod phase;
+mod process;
+mod program;
+mod progress;
+mod report;
+mod screen;
+mod status;
+mod submit;
+mod watch;
+mod wrap;
+
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use common::text;
+
+pub use build::{arguments, find_program};
+use check_all::CheckAll;
+use exercise::Exercise;
+use judgement::judge;
+use progress::Progress;
+use screen::Screen;
+use status::Status;
+
+const ALL_DONE: &str = "all exercises are done; with a name, one is shown again";
+
+/// Leads through the exercises of all stages, and checks them on save
+#[derive(Parser)]
+#[command(bin_name = "cargo learn", args_conflicts_with_subcommands = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    shown: OrNext,
+}
+
+#[derive(Args)]
+struct OrNext {
+    /// An exercise [default: the next that is not done]
+    #[arg(value_name = "EXERCISE", value_parser = exercise::find)]
+    name: Option<&'static Exercise>,
+}
+
+#[derive(Args)]
+struct Check {
+    #[command(flatten)]
+    one: OrNext,
+    /// Checks all files that you have begun
+    #[arg(long, conflicts_with = "name")]
+    all: bool,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Lists all exercises, done and open
+    List,
+    /// Writes the settings of rust-analyzer for VS Code
+    Editor,
+    /// Shows the hints of an exercise
+    Hint(OrNext),
+    /// Checks an exercise once
+    Check(Check),
+    /// Asks your shapes the rays that broke ray tracers
+    Corpus,
+    /// Builds the book with your pictures in it
+    Book,
+    /// Begins an exercise again, and keeps your file
+    Reset(OrNext),
+    Submit(submit::Submit),
+    Program(program::Program),
+}
+
+/// Runs the command of the command line.
+#[must_use]
+pub fn main() -> ExitCode {
+    if let Err(problem) = run().and_then(|words| print(&words)) {
+        eprintln!("cargo learn: {}", text::message(&problem));
+        return ExitCode::FAILURE;
+    }
+    ExitCode::SUCCESS
+}
+
+/// Runs the command, and returns its words.
+fn run() -> Result<String, String> {
+    let course = exercise::read_all()?;
+    let CommandLine { command, shown } = CommandLine::parse();
+    match command {
+        None => match chosen_or_next(&shown, course) {
+            Some(e) => watch::watch(course, e),
+            None => Ok(ALL_DONE.to_owned()),
+        },
+        Some(Command::List) => Ok(Screen::new().wrap(&Progress::read().list(course))),
+        Some(Command::Editor) => editor::write_settings(),
+        Some(Command::Hint(shown)) => Ok(match chosen_or_next(&shown, course) {
+            Some(e) => {
+                let hints = Screen::new().wrap_markdown(&e.hints().join("\n\n"));
+                format!("{}\n\n{hints}", e.title)
+            }
+            None => ALL_DONE.to_owned(),
+        }),
+        Some(Command::Check(Check { all: true, .. })) => check_all(course),
+        Some(Command::Check(Check { one, .. })) => match chosen_or_next(&one, course) {
+            Some(e) => check(e),
+            None => Ok(ALL_DONE.to_owned()),
+        },
+        Some(Command::Corpus) => ask_corpus(course),
+        Some(Command::Book) => book::build(course),
+        Some(Command::Reset(shown)) => match chosen_or_next(&shown, course) {
+            Some(e) => files::reset(e),
+            None => Ok(ALL_DONE.to_owned()),
+        },
+        Some(Command::Submit(submit)) => submit.run(course),
+        Some(Command::Program(program)) => {
+            program.run(course).map(|words| Screen::new().wrap(&words))
+        }
+    }
+}
+
+/// The named exercise, or the next that is not done.
+fn chosen_or_next(shown: &OrNext, course: &'static [Exercise]) -> Option<&'static Exercise> {
+    shown.name.or_else(|| Progress::read().next(course, None))
+}
+
+/// Checks an exercise, and prints all that the check says. Returns the verdict, which is an error
+/// if the exercise is not done.
+fn check(e: &Exercise) -> Result<String, String> {
+    files::begin(e)?;
+    let screen = Screen::new();
+    let mut progress = Progress::read();
+    let mut status = Status::new();
+    let report = judge(e, &mut progress, screen.space(), &mut |phase, elapsed| {
+        status.show("", phase, elapsed);
+        true
+    });
+    drop(status);
+    print(&report.details(&screen, true))?;
+    warn(&progress);
+    if report.is_done {
+        Ok(report.verdict)
+    } else {
+        Err(report.verdict)
+    }
+}
+
+/// Checks all files, and returns which of them are done; an error names those that are not.
+fn check_all(course: &[Exercise]) -> Result<String, String> {
+    let mut progress = Progress::read();
+    let mut status = Status::new();
+    let all = CheckAll::run(
+        course,
+        &mut progress,
+        Screen::new().space(),
+        &mut |words, phase, elapsed| {
+            status.show(words, phase, elapsed);
+            true
+        },
+    );
+    drop(status);
+    warn(&progress);
+    if all.open.is_empty() {
+        Ok(all.to_string())
+    } else {
+        Err(all.to_string())
+    }
+}
+
+/// Asks the student's shapes the corpus of ray failures.
+fn ask_corpus(course: &[Exercise]) -> Result<String, String> {
+    let mut progress = Progress::read();
+    let mut status = Status::new();
+    let words = corpus::ask(
+        course,
+        &mut progress,
+        Screen::new().space(),
+        &mut |phase, elapsed| {
+            status.show("", phase, elapsed);
+            true
+        },
+    );
+    drop(status);
+    warn(&progress);
+    Ok(Screen::new().wrap(&words?))
+}
+
+/// Says that the verdict is not kept, if so.
+fn warn(progress: &Progress) {
+    if let Some(warning) = progress.warning() {
+        eprintln!("{}", text::message(&warning));
+    }
+}
+
+/// Prints a text. The reader of a pipe may close it early.
+fn print(text: &str) -> Result<(), String> {
+    if text.is_empty() {
+        return Ok(());
+    }
+    match writeln!(io::stdout(), "{}", text.trim_end()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
+        _ => Ok(()),
+    }
+}
