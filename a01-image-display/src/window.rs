@@ -1,64 +1,134 @@
-//! `window`: shows the scenes of a stage while they are rendered.
+//! `window`: a loop that shows a picture while it is rendered, asks for keys and clicks, and ends.
+//!
+//! [minifb](https://docs.rs/minifb) opens a window of the system, takes packed pixels, and says
+//! which keys and buttons are down. All stages show their scenes in this window.
 
-mod appearance;
-mod area;
-mod clipboard;
-mod drawing;
-mod events;
+mod dialog;
 mod frame;
-mod keyboard;
-mod layout;
-mod menu;
-mod mouse;
-mod navigation;
-mod notices;
-mod path_entry;
-mod pixel_page;
-mod placement;
+mod input;
 mod screen;
-mod surface;
-mod text;
-mod ui;
 
-#[cfg(test)]
-mod tests;
+use std::time::{Duration, Instant};
 
+use minifb::{Key, ScaleMode, Window, WindowOptions};
 use program::{Gallery, NotShown};
 
-/// Shown when the file dialog is cancelled.
-const NO_FILE: &str = "no file was chosen; P opens one by its path";
+use input::{Event, Input};
+use screen::Screen;
 
-/// Shows the scenes in a window with the picture, menus, and a panel of its numbers.
+/// How often in a second the loop asks for keys and clicks, with the keyboard and without.
+const OFTEN: usize = 60;
+const RARELY: usize = 10;
+
+/// A picture that grows is drawn again after this time.
+const GROWN: Duration = Duration::from_millis(50);
+
+/// So is one that does not: another window may have covered it, of which minifb does not tell.
+const COVERED: Duration = Duration::from_millis(500);
+
+// ANCHOR: show
+/// Shows the scenes of a gallery until the window is closed.
 pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
-    let mut screen = screen::Screen::default();
-    if gallery.uses().file {
-        let asks = gallery.options.open.is_none();
-        if asks {
-            gallery.options.open = choose_file("pictures", PICTURES);
-        }
-        let has_chosen = asks && gallery.options.open.is_some();
-        // The size of a file is not known before it has been read.
-        gallery.start()?;
-        gallery.wait();
-        // A file of the command line: the error goes to the terminal.
-        if !has_chosen && let Some(Err(error)) = gallery.outcome.take_if(|it| it.is_err()) {
-            return Err(error.into());
-        }
-        if asks && !has_chosen {
-            screen.notify(NO_FILE.to_owned());
-        }
+    if gallery.asks_for_file() {
+        dialog::open(gallery);
     }
-    events::run(gallery, screen)
+    gallery.read_picture_file()?;
+    let mut title = gallery.title();
+    let (width, height) = screen::window_size(gallery.picture().size());
+    let options = WindowOptions {
+        resize: true,
+        scale_mode: ScaleMode::UpperLeft,
+        ..WindowOptions::default()
+    };
+    let mut window = Window::new(&title, width, height, options).map_err(no_window)?;
+    // On a Mac, a click before the first update would end the program.
+    window.update();
+    let mut input = Input::of(&mut window);
+    let mut screen = Screen::default();
+    let (mut drawn, mut changes) = (Instant::now(), 0);
+    gallery.begin()?;
+    while window.is_open() {
+        let rate = if window.is_active() { OFTEN } else { RARELY };
+        window.set_target_fps(rate);
+        let is_placed = screen.place(window.get_size(), gallery.picture().size());
+        let events = input.events(&window);
+        for event in &events {
+            if !obey(event, &mut screen, gallery) {
+                return Ok(());
+            }
+        }
+        let is_new = gallery.update() || is_placed || !events.is_empty();
+        let wait = if is_new {
+            Duration::ZERO
+        } else if gallery.picture().changes() != changes {
+            GROWN
+        } else {
+            COVERED
+        };
+        if drawn.elapsed() < wait {
+            window.update();
+            continue;
+        }
+        (drawn, changes) = (Instant::now(), gallery.picture().changes());
+        if title != gallery.title() {
+            title = gallery.title();
+            window.set_title(&title);
+        }
+        screen.draw(gallery, input.at);
+        let (width, height) = screen.size;
+        let shown = window.update_with_buffer(&screen.frame.pixels, width, height);
+        shown.map_err(no_window)?;
+    }
+    Ok(())
+}
+// ANCHOR_END: show
+
+// ANCHOR: obey
+/// Does what a person wants. False if the window is to be closed.
+fn obey(event: &Event, screen: &mut Screen, gallery: &mut Gallery) -> bool {
+    match *event {
+        Event::Key(key, pointer) => return press(key, pointer, screen, gallery),
+        Event::Click(at) => {
+            if let Some(key) = screen.key_at(at) {
+                return press(key, at, screen, gallery);
+            }
+            screen.lists_keys = false;
+            match screen.pixel_at(at) {
+                Some(pixel) => gallery.explain(pixel),
+                None => gallery.forget(),
+            }
+        }
+        Event::Wheel(steps) => gallery.approach(steps),
+        Event::Drag(way) => gallery.rotate(way),
+        Event::Move => {}
+    }
+    true
 }
 
-/// The endings of pictures, and of scene files.
-const PICTURES: &[&str] = &["png", "jpg", "jpeg", "bmp"];
-const SCENE_FILES: &[&str] = &["toml"];
+fn press(key: Key, pointer: [i32; 2], screen: &mut Screen, gallery: &mut Gallery) -> bool {
+    match key {
+        Key::Escape => return false,
+        Key::S => dialog::save(gallery),
+        Key::O if gallery.opens_pictures() => dialog::open(gallery),
+        Key::Left => gallery.go_on(-1),
+        Key::Right => gallery.go_on(1),
+        Key::R => gallery.reset(),
+        Key::C => gallery.print_camera(),
+        Key::H => screen.lists_keys = !screen.lists_keys,
+        Key::E => {
+            if let Some(pixel) = screen.pixel_at(pointer) {
+                gallery.explain(pixel);
+            }
+        }
+        _ => {}
+    }
+    true
+}
+// ANCHOR_END: obey
 
-/// Lets a person choose a file of this kind; none if no file is chosen, or there is no dialog.
-fn choose_file(kind: &str, endings: &[&str]) -> Option<std::path::PathBuf> {
-    rfd::FileDialog::new()
-        .set_title("Open a file")
-        .add_filter(kind, endings)
-        .pick_file()
+fn no_window(error: minifb::Error) -> NotShown {
+    NotShown::NoWindow(match error {
+        minifb::Error::WindowCreate(reason) => format!("no display to open it on ({reason})"),
+        error => format!("the display refused the picture ({error})"),
+    })
 }

@@ -15,7 +15,7 @@ pub use for_engine::camera as camera_for_engine;
 pub(crate) use for_engine::{light_at, render};
 pub use format::{Format, settings};
 
-use crate::{Camera, OrthographicCamera, PerspectiveCamera};
+use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera};
 
 /// Where a camera stands and how it is held.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +37,12 @@ pub trait CameraKind: Camera {
 
     /// Its numbers for the engine.
     fn for_engine(&self) -> engine::Camera<'static>;
+
+    /// Where it stands and how it is held.
+    fn basis(&self) -> Basis;
+
+    /// The same camera in another place, from where lengths in the scene look `zoom` times as short.
+    fn moved_to(&self, basis: Basis, zoom: f64) -> Box<dyn Camera>;
 }
 
 /// Reads a camera of any type.
@@ -80,6 +86,14 @@ impl CameraKind for PerspectiveCamera {
             half_tangent: self.field_of_view.half_tangent,
         }
     }
+
+    fn basis(&self) -> Basis {
+        self.basis
+    }
+
+    fn moved_to(&self, basis: Basis, _: f64) -> Box<dyn Camera> {
+        Box::new(Self { basis, ..*self })
+    }
 }
 
 impl CameraKind for OrthographicCamera {
@@ -93,10 +107,19 @@ impl CameraKind for OrthographicCamera {
             scale: self.s,
         }
     }
+
+    fn basis(&self) -> Basis {
+        self.basis
+    }
+
+    fn moved_to(&self, basis: Basis, zoom: f64) -> Box<dyn Camera> {
+        let s = self.s * zoom;
+        Box::new(Self { basis, s })
+    }
 }
 
 /// The row of a camera, which may be in boxes.
-fn kind(camera: &dyn Camera) -> Option<&dyn CameraKind> {
+pub(crate) fn kind(camera: &dyn Camera) -> Option<&dyn CameraKind> {
     let any: &dyn Any = camera;
     match any.downcast_ref::<Box<dyn Camera>>() {
         Some(inner) => kind(&**inner),

@@ -4,7 +4,6 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use a02_math::Point3;
 use common::sensitivity::{DependentPixels, Influence};
 use common::{
     ArgumentError, Color, Edits, Error, Image, Picture, PixelTrace, Progress, Renderer, Scene,
@@ -51,11 +50,6 @@ pub trait TracedWorld: Any + Send + Sync {
     /// The name of the object of a number.
     fn object_name(&self, _number: usize) -> String {
         String::new()
-    }
-
-    /// The positions of the lights that have one, so that they can be moved.
-    fn light_positions(&mut self) -> Vec<&mut Point3> {
-        Vec::new()
     }
 
     /// The same world with these instruments around its parts. The colours do not change.
@@ -185,7 +179,7 @@ impl TracedScene {
         }
     }
 
-    /// Camera and world, with the changes that a person has made in the window.
+    /// Camera and world, with the camera where a person has moved it in the window.
     fn edited_view(&self, settings: &Settings) -> Result<View, Error> {
         let view = (self.view)(settings)?;
         if settings.edits == Edits::default() {
@@ -225,10 +219,8 @@ impl Traced for TracedScene {
         Ok(view.seen_rays(settings.size, &trace.steps))
     }
 
-    fn light_positions(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error> {
-        let mut view = self.edited_view(settings)?;
-        let positions = view.world.light_positions().into_iter();
-        Ok(positions.map(|p| p.to_glam().to_array()).collect())
+    fn camera_lines(&self, settings: &Settings) -> Result<String, Error> {
+        self.edited_view(settings)?.camera_lines(settings)
     }
 
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {

@@ -56,10 +56,6 @@ impl LightKind for PointLight {
             position: self.position.to_glam(),
         }
     }
-
-    fn position_mut(&mut self) -> Option<&mut Point3> {
-        Some(&mut self.position)
-    }
 }
 
 impl LightKind for SpotLight {
@@ -78,10 +74,6 @@ impl LightKind for SpotLight {
             direction: self.direction.to_glam(),
             cos_half_angle: self.cos_half_angle,
         }
-    }
-
-    fn position_mut(&mut self) -> Option<&mut Point3> {
-        Some(&mut self.source.position)
     }
 }
 

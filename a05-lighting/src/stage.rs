@@ -13,7 +13,7 @@ use scene_file::WrittenShape;
 
 use crate::LitWorld;
 use crate::instruments::recorded;
-use crate::kinds::{self, LIGHTS};
+use crate::kinds;
 use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
@@ -76,10 +76,6 @@ impl TracedWorld for LitWorld {
 
     fn object_name(&self, number: usize) -> String {
         objects::object_name(self.objects(), number)
-    }
-
-    fn light_positions(&mut self) -> Vec<&mut a02_math::Point3> {
-        LIGHTS.positions(self, |light| &mut **light)
     }
 
     fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {

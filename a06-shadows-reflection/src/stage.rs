@@ -5,7 +5,6 @@ use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use a04_intersections::instruments::objects;
 use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
-use a05_lighting::kinds::LIGHTS;
 use common::{Color, Stage};
 use scene_file::WrittenShape;
 
@@ -77,10 +76,6 @@ impl TracedWorld for RecursiveWorld {
 
     fn object_name(&self, number: usize) -> String {
         objects::object_name(self.world.objects(), number)
-    }
-
-    fn light_positions(&mut self) -> Vec<&mut a02_math::Point3> {
-        LIGHTS.positions(&mut self.world, |source| &mut *source.light)
     }
 
     fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {

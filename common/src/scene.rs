@@ -58,8 +58,8 @@ pub trait Traced: Any + Send + Sync {
     /// The rays of the first sample after the camera's, as the camera sees them.
     fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error>;
 
-    /// The positions of the lights that have one.
-    fn light_positions(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error>;
+    /// The camera as the lines of a scene file.
+    fn camera_lines(&self, settings: &Settings) -> Result<String, Error>;
 
     /// The scene as text in a language: `toml` or `povray`.
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;

@@ -54,14 +54,14 @@ impl Renderer {
     pub const ALL: [Self; 3] = [Self::Lesson, Self::Engine, Self::AllWork];
 }
 
-/// Changes of a scene that a person makes in the window; none by default.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// The way of the camera that a person moves in the window; none by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Edits {
     /// The angles by which the camera is rotated around the middle of the scene, in radians:
     /// around the vertical axis, and upwards.
     pub orbit: [f64; 2],
-    /// The displacement of each light that has a position. Missing ones stay.
-    pub lights: Vec<[f64; 3]>,
+    /// Steps towards the middle of the scene. Each takes a tenth of the distance.
+    pub steps: i32,
 }
 
 /// The parameters of a rendering.
@@ -92,7 +92,7 @@ pub struct Settings {
     pub transfer: Transfer,
     /// The picture file to open, for a scene that opens one.
     pub file: Option<PathBuf>,
-    /// Changes of a scene that has a camera.
+    /// The way of the camera, in a scene that has one.
     pub edits: Edits,
 }
 

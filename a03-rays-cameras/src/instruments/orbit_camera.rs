@@ -1,10 +1,11 @@
-//! `OrbitCamera`: a camera, rotated around a point and moved towards it; and the changes that a
-//! person makes in the window.
+//! `OrbitCamera`: a camera, rotated around a point and moved towards it, as a person does in the
+//! window.
 
 use a02_math::{Direction, Point3, Vector3};
 use common::{Edits, Size};
 
-use crate::{Camera, Ray, View};
+use crate::kinds::kind;
+use crate::{Basis, Camera, Ray, View};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
@@ -59,35 +60,43 @@ impl OrbitCamera {
         }
     }
 
+    /// The same camera as one of the type that is rotated, if that type has a row: then scene files
+    /// have words for it.
+    fn simplified(self) -> Box<dyn Camera> {
+        let Some(kind) = kind(&*self.camera) else {
+            return Box::new(self);
+        };
+        let Basis { e, u, v, w } = kind.basis();
+        let [u, v, w] = [u, v, w].map(|axis| self.rotated(axis));
+        let e = self.moved(e);
+        kind.moved_to(Basis { e, u, v, w }, self.zoom)
+    }
+
     fn rotated(&self, v: Vector3) -> Vector3 {
         let [x, y, z] = self.axes;
         x * v.x() + y * v.y() + z * v.z()
+    }
+
+    fn moved(&self, p: Point3) -> Point3 {
+        self.centre + self.rotated((p - self.centre) * self.zoom)
     }
 }
 
 impl Camera for OrbitCamera {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let ray = self.camera.ray_for(size, x, y);
-        let from_centre = (ray.origin() - self.centre) * self.zoom;
-        let origin = self.centre + self.rotated(from_centre);
-        Ray::derived(origin, self.rotated(ray.direction()))
+        Ray::derived(self.moved(ray.origin()), self.rotated(ray.direction()))
     }
 }
 
 impl View {
-    /// The view for a picture of this size, with the changes of its lights and its camera.
+    /// The view for a picture of this size, with the camera where a person has moved it.
     #[must_use]
     pub fn edited(mut self, size: Size, edits: &Edits) -> Self {
-        let positions = self.world.light_positions().into_iter();
-        for (position, displacement) in positions.zip(&edits.lights) {
-            *position = *position + Vector3::from_glam((*displacement).into());
-        }
         let [yaw, pitch] = edits.orbit;
-        if edits.orbit != [0.0; 2] {
-            let zoom = Orbit::NONE.zoom;
-            let (middle, orbit) = (self.middle(size), Orbit { yaw, pitch, zoom });
-            self.camera = Box::new(OrbitCamera::new(self.camera, size, middle, orbit));
-        }
+        let zoom = libm::pow(0.9, f64::from(edits.steps));
+        let (middle, orbit) = (self.middle(size), Orbit { yaw, pitch, zoom });
+        self.camera = OrbitCamera::new(self.camera, size, middle, orbit).simplified();
         self
     }
 
@@ -115,7 +124,7 @@ fn rotated(v: Vector3, k: Vector3, angle: f64) -> Vector3 {
 mod tests {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-    use crate::PerspectiveCamera;
+    use crate::{OrthographicCamera, PerspectiveCamera};
 
     use super::*;
 
@@ -136,6 +145,34 @@ mod tests {
         for pitch in [2.0, -2.0] {
             let y = gaze(0.0, pitch, 1.0).direction().y();
             assert!((y - libm::sin(STEEPEST.copysign(pitch))).abs() < 1e-15);
+        }
+    }
+    /// A camera of a known type has the same rays, up to rounding.
+    #[test]
+    fn a_simplified_camera_has_the_same_rays() {
+        let (e, g) = (Point3::new(3.0, 2.0, 4.0), Vector3::new(-3.0, -1.5, -4.0));
+        let camera = |is_perspective| -> Box<dyn Camera> {
+            if is_perspective {
+                Box::new(PerspectiveCamera::new(e, g, UP, FRAC_PI_4).unwrap())
+            } else {
+                Box::new(OrthographicCamera::new(e, g, UP, 5.0).unwrap())
+            }
+        };
+        let size = Size::new(7, 5).unwrap();
+        let orbit = Orbit {
+            yaw: 0.7,
+            pitch: 0.2,
+            zoom: 0.5,
+        };
+        let centre = Point3::new(0.5, 0.0, 0.0);
+        for is_perspective in [true, false] {
+            let rotated = || OrbitCamera::new(camera(is_perspective), size, centre, orbit);
+            let (asked, simplified) = (rotated(), rotated().simplified());
+            for (x, y) in [(0.0, 0.0), (3.0, 2.0), (6.5, 1.25)] {
+                let [a, b] = [asked.ray_for(size, x, y), simplified.ray_for(size, x, y)];
+                assert!((a.origin() - b.origin()).magnitude() < 1e-14);
+                assert!((a.direction() - b.direction()).magnitude() < 1e-14);
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Writes a view in another language, from the numbers of its rows.
 
 use common::{Error, Settings};
-use scene_file::{POV_RAY, TOML, export};
+use scene_file::{POV_RAY, TOML, export, write_camera};
 
 use super::camera_for_engine;
 use crate::View;
@@ -24,5 +24,15 @@ impl View {
             None => Err("its world is a formula, without shapes".to_owned()),
         };
         text.map_err(|reason| Error::Usage(format!("this scene cannot be written: {reason}")))
+    }
+
+    /// The table `[camera]` of a scene file.
+    pub fn camera_lines(&self, settings: &Settings) -> Result<String, Error> {
+        let camera = camera_for_engine(&*self.camera);
+        let text = write_camera(TOML, &camera, settings)
+            .map_err(|reason| Error::Usage(format!("this camera cannot be written: {reason}")))?;
+        // The table of the world follows.
+        let end = text.find("\n[world]").unwrap_or(text.len());
+        Ok(text[..end].trim().to_owned())
     }
 }

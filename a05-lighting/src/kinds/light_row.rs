@@ -5,9 +5,9 @@ use std::any::Any;
 use a02_math::Point3;
 use scene_file::{Error, Item};
 
-use crate::{Light, LitWorld};
+use crate::Light;
 
-/// What the engine, scene files and the window need to know of a type of lights.
+/// What the engine and scene files need to know of a type of lights.
 pub trait LightKind: Light {
     /// Reads it from its table.
     fn read(item: &Item) -> Result<Self, Error>
@@ -16,11 +16,6 @@ pub trait LightKind: Light {
 
     /// Its numbers for the engine.
     fn for_engine(&self) -> engine::LightKind<'static>;
-
-    /// Its position, so that it can be moved; none if it is infinitely far away.
-    fn position_mut(&mut self) -> Option<&mut Point3> {
-        None
-    }
 }
 
 /// Reads a light of any type.
@@ -32,7 +27,6 @@ pub struct LightRow {
     pub key: &'static str,
     read: Read,
     get: fn(&dyn Light) -> Option<&dyn LightKind>,
-    get_mut: fn(&mut dyn Light) -> Option<&mut dyn LightKind>,
 }
 
 impl LightRow {
@@ -45,10 +39,6 @@ impl LightRow {
             get: |light| {
                 let any: &dyn Any = light;
                 any.downcast_ref::<K>().map(|light| light as _)
-            },
-            get_mut: |light| {
-                let any: &mut dyn Any = light;
-                any.downcast_mut::<K>().map(|light| light as _)
             },
         }
     }
@@ -82,20 +72,5 @@ impl Lights {
                 distance: light.distance,
             })
         }))
-    }
-
-    /// The positions of the lights that have one; `light` is the light inside of each source.
-    pub fn positions<S, L>(
-        self,
-        world: &mut LitWorld<S, L>,
-        light: fn(&mut L) -> &mut dyn Light,
-    ) -> Vec<&mut Point3> {
-        let sources = world.lights.iter_mut();
-        let positions = sources.filter_map(|source| {
-            let light = light(source);
-            let row = self.0.iter().find(|row| (row.get)(&*light).is_some())?;
-            (row.get_mut)(light)?.position_mut()
-        });
-        positions.collect()
     }
 }

@@ -103,27 +103,6 @@ const fn unit(number: &NumberPlace) -> &'static str {
     }
 }
 
-/// How a pixel changes with a number, in words.
-#[must_use]
-pub fn effect_in_words(Influence { number, response }: &Influence) -> String {
-    match response {
-        Response::Smooth { slope, .. } if unit(number).is_empty() => {
-            format!("{} per 1", digits(slope))
-        }
-        Response::Smooth { slope, .. } => format!("{} per {}", digits(slope), unit(number)),
-        other => in_words(other),
-    }
-}
-
-/// A number of a file in words: its line, its key and its value.
-#[must_use]
-pub fn number_in_words(number: &NumberPlace) -> String {
-    let NumberPlace {
-        line, table, key, ..
-    } = number;
-    format!("line {line}: {table} {key} = {}", value(number))
-}
-
 /// A response that is no derivative, in words.
 fn in_words(response: &Response) -> String {
     match response {

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use common::pixel_trace::digits;
 use common::{Color, Error, Renderer, Scene, Settings, Stage, atomic_file, text};
 
 use crate::by_numbers::list_numbers;
+use crate::explained_pixel::trace_in_words;
 use crate::of_line::draw_pixels_of;
 use crate::options::{Options, whole};
 use crate::print::{print, warn};
@@ -100,11 +100,7 @@ fn explain_pixel(
     print(&if arguments.json {
         trace.to_json(options.transfer)
     } else {
-        let (name, size, bytes) = (scene.name, settings.size, options.transfer.bytes(color));
-        let linear = digits(&color.channels());
-        format!(
-            "{name} {size}, pixel {x},{y}\n{trace}\nbytes {bytes:?} of the linear colour {linear}"
-        )
+        trace_in_words(scene, &settings, &trace)
     })?;
     if let Some(path) = &arguments.drawing {
         atomic_file::write(path, rays.drawing(&settings, &trace)?.as_bytes())?;

@@ -1,483 +1,443 @@
-//! `Gallery`: the scenes of a stage and of scene files, which a window shows one at a time.
+//! `Gallery`: the scenes of a stage and of a scene file, of which a window shows one at a time.
 
-use std::path::{Path, PathBuf};
+use std::mem;
+use std::path::PathBuf;
 use std::sync::Arc;
-use std::thread::{Scope, ScopedJoinHandle};
+use std::thread::{self, JoinHandle};
 
-use common::sensitivity::Influence;
-use common::{Error, Image, Picture, Renderer, Scene, Settings, Size, Stage, UsedSettings, text};
+use common::pixel_trace::digits;
+use common::{Color, Edits, Error, Image, Scene, Settings, Size, Stage, picture_file, text};
 
-use crate::appearance::Appearance;
+use crate::LivePicture;
+use crate::explained_pixel::ExplainedPixel;
 use crate::grammar::Showing;
-use crate::live_picture::{Coarse, coarse};
 use crate::opened_file::OpenedFile;
 use crate::options::Options;
-use crate::pixel_panel::{PixelPanel, StopFlag, strongest};
-use crate::print::warn;
-use crate::render::{SLOW, print_notes};
+use crate::print::{print, warn};
+use crate::render::{print_notes, warn_unused};
 use crate::save::save_beside_others;
 use crate::target::make_default_folder;
-use crate::{LivePicture, Slider};
-
-/// A list of scenes, first those of scene files and then the stage's; the one that is being shown,
-/// its rendering, and an explained pixel.
-pub struct Gallery<'scope, 'a> {
-    /// The stage.
-    pub stage: &'scope Stage,
-    /// The scene files, which stand before the scenes of the stage.
-    files: Vec<OpenedFile>,
-    /// Whether scene files are read again when they are saved.
-    watches: bool,
-    /// The number of the scene that is shown.
-    number: usize,
-    /// The flags of the command line.
-    pub options: Options,
-    /// How the window looks.
-    pub appearance: Appearance,
-    /// The sliders of the scene.
-    pub sliders: Vec<Slider>,
-    /// The way of the mouse that rotates the camera, to the right and down.
-    rotated: [i32; 2],
-    renderer: Option<Renderer>,
-    /// Whether a number of the scene has changed since the rendering began.
-    is_changed: bool,
-    /// The picture as far as it is known; none before the file of a scene has been read.
-    pub picture: Option<Arc<LivePicture>>,
-    /// The finished picture, or the reason for its absence; none while it is rendered.
-    pub outcome: Option<Result<Image, Error>>,
-    /// The pixel that is explained.
-    pub pixel: Option<[u32; 2]>,
-    /// The numbers behind the pixel, as soon as they are known.
-    pub explanation: Option<Result<PixelPanel, Error>>,
-    /// How the pixel changes with the numbers of its scene file, the strongest first, as soon as it
-    /// is known; none for a scene of the stage.
-    pub influences: Option<Result<Vec<Influence>, Error>>,
-    scope: &'scope Scope<'scope, 'a>,
-    rendering: Option<Task<'scope, Image>>,
-    explaining: Option<Task<'scope, PixelPanel>>,
-    measuring: Option<Measuring<'scope>>,
-}
-
-/// A task in a thread of its own.
-type Task<'scope, T> = ScopedJoinHandle<'scope, Result<T, Error>>;
-
-/// The thread that looks for the strongest numbers, and the flag that stops it.
-struct Measuring<'scope> {
-    /// None once its result has been taken.
-    task: Option<Task<'scope, Vec<Influence>>>,
-    stop: Arc<StopFlag>,
-}
-
-impl Drop for Measuring<'_> {
-    fn drop(&mut self) {
-        self.stop.set();
-    }
-}
 
 /// The angle by which the camera rotates for a pixel of the mouse's way, in radians.
 const ANGLE: f64 = 0.01;
 
-impl<'scope, 'a> Gallery<'scope, 'a> {
+/// The scenes, the picture of the one that is shown, and what a person wants to know of it.
+pub struct Gallery<'a> {
+    stage: &'a Stage,
+    /// The scene file, which stands before the scenes of the stage.
+    file: Option<OpenedFile>,
+    /// The number of the scene that is shown.
+    number: usize,
+    options: Options,
+    /// The way of the camera from its place in the scene.
+    edits: Edits,
+    /// Whether the camera has moved since the rendering began.
+    has_moved: bool,
+    picture: Arc<LivePicture>,
+    job: Job,
+    explained: Option<ExplainedPixel>,
+    /// The answer to the last key; empty if there is none.
+    message: String,
+}
+
+/// The rendering of the picture.
+enum Job {
+    /// There is nothing to render.
+    Idle,
+    /// A thread renders.
+    Running(JoinHandle<Result<Image, Error>>),
+    /// The finished picture, or the reason for its absence.
+    Done(Result<Image, Error>),
+}
+
+impl<'a> Gallery<'a> {
+    /// A gallery that shows the scene file, or else the scene of this number.
     pub(crate) fn new(
-        stage: &'scope Stage,
-        files: Vec<OpenedFile>,
+        stage: &'a Stage,
+        file: Option<OpenedFile>,
         number: usize,
         showing: &Showing,
-        scope: &'scope Scope<'scope, 'a>,
-    ) -> Self {
-        Self {
+    ) -> Result<Self, Error> {
+        let options = showing.options.clone();
+        let mut gallery = Self {
             stage,
-            files,
-            watches: showing.watch,
+            file,
             number,
-            options: showing.options.clone(),
-            appearance: showing.appearance,
-            sliders: Vec::new(),
-            rotated: [0; 2],
-            renderer: None,
-            is_changed: false,
-            picture: None,
-            outcome: None,
-            pixel: None,
-            explanation: None,
-            influences: None,
-            scope,
-            rendering: None,
-            explaining: None,
-            measuring: None,
+            edits: Edits::default(),
+            has_moved: false,
+            picture: Arc::new(LivePicture::new(Size::COURSE, options.transfer)),
+            options,
+            job: Job::Idle,
+            explained: None,
+            message: String::new(),
+        };
+        if let Some(scene) = gallery.scene() {
+            let settings = gallery.settings(scene)?;
+            let picture = LivePicture::new(settings.size, settings.transfer);
+            gallery.picture = Arc::new(picture);
         }
+        Ok(gallery)
     }
 
     /// The scene that is shown; none if its file was never right.
-    #[must_use]
-    pub fn scene(&self) -> Option<&Scene> {
-        match self.files.get(self.number) {
-            Some(file) => file.scene(),
-            None => self.stage.scenes.get(self.number - self.files.len()),
+    fn scene(&self) -> Option<&Scene> {
+        match (&self.file, self.number) {
+            (Some(file), 0) => file.scene(),
+            (Some(_), number) => self.stage.scenes.get(number - 1),
+            (None, number) => self.stage.scenes.get(number),
         }
     }
 
-    /// The settings that change the picture of the scene.
-    #[must_use]
-    pub fn uses(&self) -> UsedSettings {
-        self.scene().map(|scene| scene.uses).unwrap_or_default()
+    fn name(&self) -> String {
+        match &self.file {
+            Some(file) if self.number == 0 => {
+                let name = file.path().file_name().unwrap_or_default();
+                text::visible(&name.to_string_lossy())
+            }
+            _ => self.scene().map_or("", |scene| scene.name).to_owned(),
+        }
     }
 
-    /// The names of the scenes, in the order of their numbers: files have the names of the file.
+    /// Stage and scene, and the time of the rendering, for the title of the window.
     #[must_use]
-    pub fn names(&self) -> Vec<String> {
-        let files = self.files.iter().map(|file| {
-            let name = file.path().file_name().unwrap_or_default();
-            text::visible(&name.to_string_lossy())
-        });
-        let scenes = self.stage.scenes.iter().map(|scene| scene.name.to_owned());
-        files.chain(scenes).collect()
+    pub fn title(&self) -> String {
+        let (stage, name, times) = (self.stage.name, self.name(), self.picture.times());
+        format!("{stage}: {name}, {times}")
     }
 
-    /// The name of the scene that is shown.
+    /// The picture as far as it is known.
     #[must_use]
-    pub fn name(&self) -> String {
-        self.names().swap_remove(self.number)
-    }
-
-    /// The number of the scene that is shown.
-    #[must_use]
-    pub const fn number(&self) -> usize {
-        self.number
-    }
-
-    /// Why there is no picture, or why it is not that of the file as it is now.
-    #[must_use]
-    pub fn error(&self) -> Option<&Error> {
-        let file = self.files.get(self.number).and_then(OpenedFile::error);
-        let picture = self.outcome.as_ref().and_then(|it| it.as_ref().err());
-        file.or(picture)
-    }
-
-    /// Whether a scene file is watched, so that [`Self::update`] must be called without any input,
-    /// too.
-    #[must_use]
-    pub fn watches(&self) -> bool {
-        self.files.iter().any(OpenedFile::is_watched)
+    pub fn picture(&self) -> &LivePicture {
+        &self.picture
     }
 
     /// Whether the picture is being rendered.
     #[must_use]
     pub const fn is_rendering(&self) -> bool {
-        self.rendering.is_some()
+        matches!(self.job, Job::Running(_))
     }
 
-    /// Whether the picture takes long, and the engine would draw the same sooner.
+    /// The pixel that is explained, with its rays.
     #[must_use]
-    pub fn is_slow(&self) -> bool {
-        let elapsed = self
-            .picture
-            .as_ref()
-            .map(|picture| picture.started.elapsed());
-        self.is_rendering()
-            && elapsed.is_some_and(|elapsed| elapsed > SLOW)
-            && self.uses().sampling
-            && self.renderer() == Renderer::Lesson
+    pub const fn explained(&self) -> Option<&ExplainedPixel> {
+        self.explained.as_ref()
     }
 
-    /// Whether threads are at work, or begin with the next call of [`Self::update`].
+    /// Whether the scene shows a picture file, and the command line names none.
     #[must_use]
-    pub const fn is_busy(&self) -> bool {
-        let explains = self.explaining.is_some() || self.measuring.is_some();
-        self.rendering.is_some() || explains || self.is_changed
+    pub fn asks_for_file(&self) -> bool {
+        let uses_file = self.scene().is_some_and(|scene| scene.uses.file);
+        uses_file && self.options.open.is_none()
     }
 
-    /// Reads the watched scene files that have been saved, and starts to render the one that is
-    /// shown. A broken file leaves the picture as it is; its error goes to the terminal, too.
-    fn reread_files(&mut self) {
-        for number in 0..self.files.len() {
-            let file = &mut self.files[number];
-            if !file.reread(self.stage) {
-                continue;
-            }
-            if let Some(error) = file.error() {
-                warn(&format!("error: {error}"));
-                continue;
-            }
-            file.scene().into_iter().for_each(print_notes);
-            if number == self.number {
-                self.sliders.clear();
-                self.start_or_fail();
-            }
+    /// Whether a scene of the stage shows picture files.
+    #[must_use]
+    pub fn opens_pictures(&self) -> bool {
+        self.stage.scenes.iter().any(|scene| scene.uses.file)
+    }
+
+    /// A few lines for a person: an error, the answer to the last key, the pixel that is explained, or the
+    /// scene and the pixel under the mouse.
+    #[must_use]
+    pub fn lines(&self, pointer: Option<[u32; 2]>) -> Vec<String> {
+        if let Some(error) = self.error() {
+            return vec![format!("error: {error}")];
         }
-    }
-
-    /// Whether the stage opens scene files or pictures.
-    #[must_use]
-    pub fn opens_files(&self) -> bool {
-        let mut scenes = self.stage.scenes.iter();
-        self.stage.open.is_some() || scenes.any(|scene| scene.uses.file)
-    }
-
-    /// Opens a file, and shows its scene: a scene file, or a picture in a stage that shows pictures.
-    pub fn open(&mut self, path: &Path) -> Result<(), Error> {
-        let name = path.to_string_lossy();
-        if OpenedFile::is_named(self.stage, &name) {
-            let file = OpenedFile::open(self.stage, path, self.watches);
-            // A broken file is waited for, and a wrong name is not.
-            if file.scene().is_none() && !(self.watches && path.is_file()) {
-                return file.into_scene().map(|_| ());
-            }
-            file.scene().into_iter().for_each(print_notes);
-            let known = self.files.iter().position(|file| file.path() == path);
-            let number = known.unwrap_or(self.files.len());
-            match self.files.get_mut(number) {
-                Some(known) => *known = file,
-                None => self.files.push(file),
-            }
-            self.go_to(number);
-            return Ok(());
+        if !self.message.is_empty() {
+            return vec![self.message.clone()];
         }
-        let scenes = &self.stage.scenes;
-        let Some(number) = scenes.iter().position(|scene| scene.uses.file) else {
-            return self.stage.scene(&name).map(|_| ());
+        if let Some(explained) = &self.explained {
+            let color = self.color(explained.pixel).unwrap_or(explained.color);
+            let object = explained.object.as_deref().map(str::to_owned);
+            let bytes = self.bytes(explained.pixel);
+            let color = format!("colour {}", digits(&color.channels()));
+            return [Some(bytes), object, Some(color)]
+                .into_iter()
+                .flatten()
+                .collect();
+        }
+        let about = self.scene().map(|scene| scene.about.to_owned());
+        let pixel = pointer.map(|pixel| self.bytes(pixel));
+        about.into_iter().chain(pixel).collect()
+    }
+
+    /// Why there is no picture, or why it is not that of the file as it is now.
+    fn error(&self) -> Option<&Error> {
+        let file = self.file.as_ref().filter(|_| self.number == 0);
+        let picture = match &self.job {
+            Job::Done(Err(error)) => Some(error),
+            _ => None,
         };
-        self.options.open = Some(path.to_owned());
-        self.go_to(self.files.len() + number);
-        Ok(())
+        file.and_then(OpenedFile::error).or(picture)
     }
 
-    /// Stage and scene, for the title of the window.
-    #[must_use]
-    pub fn title(&self) -> String {
-        format!("{}: {}", self.stage.name, self.name())
-    }
-
-    /// The size of the picture; the course's before it is known.
-    #[must_use]
-    pub fn size(&self) -> Size {
-        self.picture
-            .as_ref()
-            .map_or(Size::COURSE, |picture| picture.size())
-    }
-
-    /// Shows the scene of this number.
-    pub fn go_to(&mut self, number: usize) {
-        self.number = number.min(self.files.len() + self.stage.scenes.len() - 1);
-        (self.picture, self.pixel) = (None, None);
-        self.reset();
-    }
-
-    /// Moves a slider to one of its values.
-    pub fn slide(&mut self, slider: usize, to: usize) {
-        if let Some(slider) = self.sliders.get_mut(slider) {
-            let to = to.min(slider.last());
-            self.is_changed |= std::mem::replace(&mut slider.at, to) != to;
+    /// The colour of a pixel of the finished picture.
+    fn color(&self, [x, y]: [u32; 2]) -> Option<Color> {
+        match &self.job {
+            Job::Done(Ok(image)) => image.get(x, y),
+            _ => None,
         }
     }
 
-    /// Rotates the camera around the middle of the scene, by a way of the mouse.
-    pub fn rotate(&mut self, way: [i32; 2]) {
-        self.rotated = [self.rotated[0] - way[0], self.rotated[1] - way[1]];
-        self.is_changed |= self.scene().is_some_and(|scene| scene.rays().is_ok());
-    }
-
-    /// The chosen renderer.
-    #[must_use]
-    pub fn renderer(&self) -> Renderer {
-        let settings = self.scene().map(|scene| self.settings(scene));
-        match settings {
-            Some(Ok(settings)) => settings.renderer,
-            _ => Renderer::Lesson,
-        }
-    }
-
-    /// Chooses a renderer.
-    pub fn render_with(&mut self, renderer: Renderer) {
-        self.renderer = Some(renderer);
-        self.is_changed = true;
-    }
-
-    /// Returns camera, lights and sliders to their places at the start.
-    pub fn reset(&mut self) {
-        self.rotated = [0; 2];
-        self.sliders.clear();
-        self.start_or_fail();
+    fn bytes(&self, [x, y]: [u32; 2]) -> String {
+        let [_, r, g, b] = self.picture.pixel(x, y).to_be_bytes();
+        format!("pixel {x},{y}: bytes ({r}, {g}, {b})")
     }
 
     fn settings(&self, scene: &Scene) -> Result<Settings, Error> {
-        let mut settings = self.options.settings(scene)?;
-        settings.renderer = self.renderer.unwrap_or(settings.renderer);
-        for slider in self
-            .sliders
-            .iter()
-            .filter(|slider| slider.at != slider.start)
-        {
-            slider.apply(&mut settings);
-        }
-        settings.edits.orbit = self.rotated.map(|way| ANGLE * f64::from(way));
-        Ok(settings)
+        Ok(Settings {
+            edits: self.edits,
+            ..self.options.settings(scene)?
+        })
     }
 
-    /// Starts to render the scene in a separate thread. An earlier rendering stops. A scene file
+    /// Reads a picture file, whose size is not known before. An error if it cannot be opened.
+    pub fn read_picture_file(&mut self) -> Result<(), Error> {
+        if self.scene().is_none_or(|scene| !scene.uses.file) {
+            return Ok(());
+        }
+        self.start()?;
+        self.wait();
+        match mem::replace(&mut self.job, Job::Idle) {
+            Job::Done(Err(error)) => Err(error),
+            job => {
+                self.job = job;
+                Ok(())
+            }
+        }
+    }
+
+    /// Prints the notes on the first scene, or what is wrong with its file, and starts to render it.
+    pub fn begin(&mut self) -> Result<(), Error> {
+        if let Some(error) = self.error() {
+            warn(&format!("error: {error}"));
+            warn("note: --watch waits until the file is corrected");
+        } else if let Some(scene) = self.scene() {
+            warn_unused(scene, &self.options, &self.settings(scene)?);
+        }
+        if matches!(self.job, Job::Idle) {
+            self.start()?;
+        }
+        Ok(())
+    }
+
+    /// Starts to render the scene in a thread of its own. An earlier rendering stops. A scene file
     /// that was never right has nothing to render.
-    pub fn start(&mut self) -> Result<(), Error> {
-        self.stop();
+    fn start(&mut self) -> Result<(), Error> {
+        self.picture.stop();
+        self.job = Job::Idle;
+        (self.explained, self.has_moved) = (None, false);
         let Some(scene) = self.scene().cloned() else {
             return Ok(());
         };
         let settings = self.settings(&scene)?;
-        if self.sliders.is_empty() {
-            self.sliders = Slider::all(&scene, &settings)?;
-        }
         let threads = self.options.thread_pool()?;
         // The window answers keys while all processors render.
         #[cfg(target_os = "linux")]
         threads.broadcast(|_| rustix::process::nice(10));
-        let picture = Arc::new(LivePicture::new(settings.size, self.options.transfer));
-        if let Some(earlier) = self.picture.take() {
-            picture.begin_with(&earlier);
-        }
-        self.picture = Some(Arc::clone(&picture));
-        let render = move || {
-            for (side, settings) in coarse(&scene, &settings) {
-                // The last rendering reports an error.
-                let _ = scene.render(&settings, &Coarse(&picture, side));
-            }
-            scene.render(&settings, &*picture)
-        };
-        self.rendering = Some(self.scope.spawn(move || threads.install(render)));
+        let picture = Arc::new(LivePicture::new(settings.size, settings.transfer));
+        picture.begin_with(&self.picture);
+        self.picture = Arc::clone(&picture);
+        let render = move || threads.install(|| picture.render(&scene, &settings));
+        self.job = Job::Running(thread::spawn(render));
         Ok(())
     }
 
     fn start_or_fail(&mut self) {
         if let Err(error) = self.start() {
-            self.outcome = Some(Err(error));
+            self.job = Job::Done(Err(error));
         }
     }
 
-    fn stop(&mut self) {
-        if let Some(picture) = &self.picture {
-            picture.stop();
-        }
-        (self.is_changed, self.rendering, self.explaining) = (false, None, None);
-        (self.outcome, self.explanation) = (None, None);
-        (self.influences, self.measuring) = (None, None);
-    }
-
-    /// Reads watched files that have been saved, takes the results of threads that have ended, and
-    /// renders a changed scene anew, once the rendering before has shown something. True if the
-    /// picture has just been finished.
+    /// Reads a watched file that has been saved, renders the scene anew if its camera has moved, and takes a
+    /// finished picture. True if the window has to show something new.
     pub fn update(&mut self) -> bool {
-        self.reread_files();
-        let shows = |picture: &Arc<LivePicture>| picture.changes() > 0;
-        if self.is_changed && self.picture.as_ref().is_none_or(shows) {
+        let is_read = self.reread_file();
+        // A camera that moves on and on is seen at each place.
+        let shows_something = self.picture.changes() > 0 || !self.is_rendering();
+        if self.has_moved && shows_something {
             self.start_or_fail();
         }
-        if self.explaining.is_none() && self.explanation.is_none() {
-            self.explain(self.pixel);
-        }
-        if let Some(task) = self.explaining.take_if(|task| task.is_finished()) {
-            self.explanation = Some(result(task));
-        }
-        self.update_influences();
-        let finished = self
-            .rendering
-            .as_ref()
-            .is_some_and(ScopedJoinHandle::is_finished);
-        if finished {
+        let is_finished = match &self.job {
+            Job::Running(thread) => thread.is_finished(),
+            _ => false,
+        };
+        if is_finished {
             self.wait();
         }
-        finished
+        is_read || is_finished
+    }
+
+    /// A broken file leaves the picture as it is; its error goes to the terminal, too.
+    fn reread_file(&mut self) -> bool {
+        let Some(file) = &mut self.file else {
+            return false;
+        };
+        if !file.reread(self.stage) {
+            return false;
+        }
+        if let Some(error) = file.error() {
+            warn(&format!("error: {error}"));
+            return true;
+        }
+        file.scene().into_iter().for_each(print_notes);
+        if self.number == 0 {
+            self.start_or_fail();
+        }
+        true
     }
 
     /// Waits for the end of the rendering.
     pub fn wait(&mut self) {
-        let Some(outcome) = self.rendering.take().map(result) else {
+        let Job::Running(thread) = mem::replace(&mut self.job, Job::Idle) else {
             return;
         };
+        let outcome = thread.join();
+        let outcome = outcome.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         if let Ok(image) = &outcome {
-            // The size of a file is not known before.
-            let (size, transfer) = (image.size(), self.options.transfer);
-            let same = self.picture.take_if(|picture| picture.size() == size);
-            let picture = same.unwrap_or_else(|| Arc::new(LivePicture::new(size, transfer)));
-            picture.finish(image);
-            self.picture = Some(picture);
+            if self.picture.size() != image.size() {
+                // The size of a file is not known before.
+                let mut picture = LivePicture::new(image.size(), self.options.transfer);
+                picture.began = self.picture.began;
+                self.picture = Arc::new(picture);
+            }
+            self.picture.finish(image);
+            let bad = image.count_non_finite();
+            if bad > 0 {
+                self.message = format!("warning: {bad} pixels are no finite numbers");
+            }
         }
-        self.outcome = Some(outcome);
+        self.job = Job::Done(outcome);
     }
 
-    /// Chooses the pixel that is explained.
-    pub fn explain(&mut self, pixel: Option<[u32; 2]>) {
-        (self.pixel, self.explanation, self.explaining) = (pixel, None, None);
-        (self.influences, self.measuring) = (None, None);
-        let (Some(pixel), Some(scene)) = (pixel, self.scene()) else {
-            return;
-        };
-        let (Picture::Traced(traced), Ok(settings)) = (scene.picture.clone(), self.settings(scene))
-        else {
-            return;
-        };
-        let explain = move || PixelPanel::new(&*traced, settings, pixel);
-        self.explaining = Some(self.scope.spawn(explain));
+    /// Shows the scene that is so many scenes farther in the list; after the last comes the first.
+    pub fn go_on(&mut self, scenes: isize) {
+        let count = self.stage.scenes.len() + usize::from(self.file.is_some());
+        let number = self.number as isize + scenes;
+        self.number = number.rem_euclid(count as isize) as usize;
+        self.reset();
     }
 
-    /// Whether the strongest numbers of the pixel are being looked for.
-    #[must_use]
-    pub const fn is_measuring(&self) -> bool {
-        self.measuring.is_some()
+    /// Shows a picture file.
+    pub fn open(&mut self, path: PathBuf) {
+        let scenes = &self.stage.scenes;
+        if let Some(number) = scenes.iter().position(|scene| scene.uses.file) {
+            self.options.open = Some(path);
+            self.number = number + usize::from(self.file.is_some());
+            self.reset();
+        }
     }
 
-    /// Takes the influences on the pixel if they are known, or begins to look for them. That waits
-    /// for the explanation and the picture, which are wanted first.
-    fn update_influences(&mut self) {
-        let is_finished = |measuring: &mut Measuring| {
-            let task = measuring.task.as_ref();
-            task.is_none_or(ScopedJoinHandle::is_finished)
-        };
-        if let Some(mut measuring) = self.measuring.take_if(is_finished) {
-            self.influences = measuring.task.take().map(result);
-        }
-        let is_begun = self.influences.is_some() || self.measuring.is_some();
-        let is_explained = matches!(self.explanation, Some(Ok(_)));
-        if is_begun || !is_explained || self.rendering.is_some() {
-            return;
-        }
-        let (Some(pixel), Some(scene)) = (self.pixel, self.scene()) else {
-            return;
-        };
-        if scene.files.is_empty() {
-            return;
-        }
-        let (Picture::Traced(traced), Ok(settings)) = (scene.picture.clone(), self.settings(scene))
-        else {
-            return;
-        };
-        let stop = Arc::new(StopFlag::default());
-        let progress = Arc::clone(&stop);
-        let measure = move || strongest(&*traced, settings, pixel, &*progress);
-        self.measuring = Some(Measuring {
-            task: Some(self.scope.spawn(measure)),
-            stop,
+    /// Returns the camera to its place in the scene, and renders the picture.
+    pub fn reset(&mut self) {
+        self.edits = Edits::default();
+        self.message.clear();
+        self.start_or_fail();
+    }
+
+    /// Rotates the camera around the middle of the scene, by a way of the mouse in pixels.
+    pub fn rotate(&mut self, [right, down]: [i32; 2]) {
+        let [yaw, pitch] = self.edits.orbit;
+        self.edits.orbit = [
+            yaw - ANGLE * f64::from(right),
+            pitch - ANGLE * f64::from(down),
+        ];
+        self.move_camera();
+    }
+
+    /// Moves the camera towards the middle of the scene, by steps of a tenth of the distance.
+    pub fn approach(&mut self, steps: i32) {
+        self.edits.steps += steps;
+        self.move_camera();
+    }
+
+    fn move_camera(&mut self) {
+        self.message.clear();
+        self.has_moved = self.scene().is_some_and(|scene| scene.rays().is_ok());
+    }
+
+    /// Explains a pixel inside of the picture, and prints all numbers behind it.
+    pub fn explain(&mut self, pixel: [u32; 2]) {
+        self.message.clear();
+        let [x, y] = pixel;
+        let seen = Color::from_packed(self.picture.pixel(x, y));
+        let color = self.color(pixel).unwrap_or(seen);
+        let explained = self
+            .scene()
+            .ok_or(Error::Stopped)
+            .and_then(|scene| ExplainedPixel::new(scene, self.settings(scene)?, pixel, color));
+        let printed = explained.and_then(|explained| {
+            print(&explained.text)?;
+            self.explained = Some(explained);
+            Ok(())
         });
+        self.note(printed);
     }
 
-    /// Saves a picture as `out/STAGE-SCENE.png` and returns its path. A different
-    /// picture of this name is kept, and the new one gets a number.
-    pub fn save(&self, image: &Image) -> Result<PathBuf, Error> {
-        let folder = make_default_folder()?;
+    /// No longer explains a pixel.
+    pub fn forget(&mut self) {
+        self.explained = None;
+        self.message.clear();
+    }
+
+    /// Prints the camera as the lines of a scene file.
+    pub fn print_camera(&mut self) {
+        let lines = self.scene().ok_or(Error::Stopped).and_then(|scene| {
+            let lines = scene.rays()?.camera_lines(&self.settings(scene)?)?;
+            print(&lines)
+        });
+        self.message = "the terminal shows the camera for a scene file".to_owned();
+        self.note(lines);
+    }
+
+    /// Saves the picture in this file, or else as `out/STAGE-SCENE.png`. There a different picture of
+    /// this name is kept, and the new one gets a number.
+    pub fn save(&mut self, path: Option<PathBuf>) {
+        let saved = match &self.job {
+            Job::Done(Ok(image)) => self.write(image, path),
+            Job::Running(_) => Err(Error::Usage("the picture is not finished yet".to_owned())),
+            _ => Err(Error::Usage("there is no picture to save".to_owned())),
+        };
+        let printed = saved.and_then(|path| {
+            self.message = format!("saved {}", text::path(&path));
+            print(&self.message)
+        });
+        self.note(printed);
+    }
+
+    fn write(&self, image: &Image, path: Option<PathBuf>) -> Result<PathBuf, Error> {
+        let (size, rgb) = (image.size(), image.to_rgb8(self.options.transfer));
+        if let Some(path) = path {
+            picture_file::save_png(&path, size, &rgb)?;
+            return Ok(path);
+        }
+        save_beside_others(make_default_folder()?, &self.file_name(), size, &rgb)
+    }
+
+    /// The name for the file of the picture, without its ending.
+    #[must_use]
+    pub fn file_name(&self) -> String {
         let scene = self.scene().map_or("", |scene| scene.name);
-        let name = format!("{}-{scene}", self.stage.name);
-        let rgb = image.to_rgb8(self.options.transfer);
-        save_beside_others(folder, &name, image.size(), &rgb)
+        format!("{}-{scene}", self.stage.name)
+    }
+
+    /// Says that no file was chosen.
+    pub fn note_no_file(&mut self) {
+        self.message = "no file was chosen; --open FILE names one".to_owned();
+    }
+
+    fn note(&mut self, outcome: Result<(), Error>) {
+        if let Err(error) = outcome {
+            self.message = error.to_string();
+        }
     }
 }
 
 /// A window that is closed ends the rendering.
-impl Drop for Gallery<'_, '_> {
+impl Drop for Gallery<'_> {
     fn drop(&mut self) {
-        self.stop();
+        self.picture.stop();
     }
-}
-
-fn result<T>(task: Task<T>) -> Result<T, Error> {
-    task.join()
-        .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
 }
 
 #[cfg(test)]

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use common::{Scene, Stage, UsedSettings};
 
-use crate::appearance::Appearance;
 use crate::options::Options;
 
 /// The whole command line; without a command the first scene is shown.
@@ -33,9 +32,6 @@ pub struct Showing {
     /// Show a scene file anew when it is saved
     #[arg(long)]
     pub watch: bool,
-
-    #[command(flatten)]
-    pub appearance: Appearance,
 
     #[command(flatten)]
     pub options: Options,

@@ -5,10 +5,10 @@
 //! the build has a window. The commands of laboratories and of exercises are in the crates
 //! `measure` and `learn`.
 
-mod appearance;
 mod by_numbers;
 mod comparison;
 mod explain_pixel;
+mod explained_pixel;
 mod gallery;
 mod grammar;
 mod laboratory;
@@ -19,32 +19,27 @@ mod number_progress;
 mod of_line;
 mod opened_file;
 mod options;
-mod pixel_panel;
 mod print;
 mod processor_time;
 mod render;
 mod run;
 mod save;
 mod show;
-mod slider;
 mod target;
 mod terminal_progress;
 mod viewer;
 mod watch;
 mod work;
 
-pub use appearance::Theme;
-pub use by_numbers::{effect_in_words, number_in_words};
 pub use comparison::Comparison;
+pub use explained_pixel::ExplainedPixel;
 pub use gallery::Gallery;
 pub use left_out::{LeftOut, Words};
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
-pub use pixel_panel::PixelPanel;
 pub use print::print;
 pub use processor_time::processor_time;
 pub use run::{exit_code, print_clap_error, run, run_with};
-pub use slider::Slider;
 pub use target::{make_default_folder, make_folder, picture_name};
 pub use terminal_progress::terminal_bar;
 pub use viewer::{NotShown, Viewer};

@@ -1,13 +1,13 @@
 //! `LivePicture`: a picture while it is rendered, for the window that shows it.
 
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use common::{Color, Image, Progress, Sampling, Scene, Settings, Size, Transfer};
+use common::{Color, Error, Image, Progress, Sampling, Scene, Settings, Size, Transfer};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget};
 
-/// The packed 0xRRGGBB pixels of a picture while it is rendered. Before a row is finished, it
-/// shows a coarse picture, if there is one.
+/// The packed 0xRRGGBB pixels of a picture while it is rendered; black where nothing is known.
 ///
 /// All threads of the rendering write it, and the window's thread reads it, without
 /// a lock: a pixel is one number, and the window soon shows it again.
@@ -15,21 +15,19 @@ use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget};
 pub struct LivePicture {
     size: Size,
     transfer: Transfer,
-    /// Each with `COARSE` or `FINAL` above the colour; 0 where nothing is known.
     pixels: Vec<AtomicU32>,
     changes: AtomicU32,
     /// Counts rows, and is not drawn; a row that is painted again counts again.
     bar: ProgressBar,
     stopped: AtomicBool,
-    /// The time when the rendering began, which differs between two pictures.
-    pub started: Instant,
+    /// When the rendering began.
+    pub(crate) began: Instant,
+    /// The time that it took.
+    took: OnceLock<Duration>,
 }
 
-const COARSE: u32 = 1 << 24;
-const FINAL: u32 = 2 << 24;
-
 impl LivePicture {
-    /// A picture without a finished row.
+    /// A black picture.
     #[must_use]
     pub fn new(size: Size, transfer: Transfer) -> Self {
         let (rows, hidden) = (size.height().into(), ProgressDrawTarget::hidden());
@@ -40,7 +38,8 @@ impl LivePicture {
             changes: AtomicU32::new(0),
             bar: ProgressBar::with_draw_target(Some(rows), hidden),
             stopped: AtomicBool::new(false),
-            started: Instant::now(),
+            began: Instant::now(),
+            took: OnceLock::new(),
         }
     }
 
@@ -50,22 +49,10 @@ impl LivePicture {
         self.size
     }
 
-    /// The current colour of a pixel inside of the picture; none before there is one.
+    /// The current colour of a pixel, which must lie in the picture.
     #[inline]
     #[must_use]
-    pub fn pixel(&self, x: u32, y: u32) -> Option<u32> {
-        let pixel = self.load(x, y);
-        (pixel >= COARSE).then_some(pixel & 0xFF_FFFF)
-    }
-
-    /// Whether a row inside of the picture is finished.
-    #[must_use]
-    pub fn is_finished(&self, y: u32) -> bool {
-        self.load(0, y) >= FINAL
-    }
-
-    #[inline]
-    fn load(&self, x: u32, y: u32) -> u32 {
+    pub fn pixel(&self, x: u32, y: u32) -> u32 {
         let index = y as usize * self.size.width() as usize + x as usize;
         self.pixels[index].load(Ordering::Relaxed)
     }
@@ -78,25 +65,45 @@ impl LivePicture {
 
     /// Shows an earlier picture of the same size until this one has pixels.
     pub fn begin_with(&self, earlier: &Self) {
-        let is_same = self.size == earlier.size;
-        for (pixel, earlier) in self.pixels.iter().zip(&earlier.pixels).filter(|_| is_same) {
-            let earlier = earlier.load(Ordering::Relaxed);
-            pixel.store(earlier.min(COARSE) | earlier & 0xFF_FFFF, Ordering::Relaxed);
+        if self.size != earlier.size {
+            return;
+        }
+        for (pixel, earlier) in self.pixels.iter().zip(&earlier.pixels) {
+            pixel.store(earlier.load(Ordering::Relaxed), Ordering::Relaxed);
         }
     }
 
-    /// Shows a finished picture.
+    /// Renders a scene into this picture: first coarse pictures, which together take a small part of the
+    /// time, and then the picture itself, row by row.
+    pub fn render(&self, scene: &Scene, settings: &Settings) -> Result<Image, Error> {
+        for side in coarse_sides(scene, settings) {
+            let [width, height] = [settings.size.width(), settings.size.height()];
+            let coarse = Settings {
+                size: Size::new(width.div_ceil(side), height.div_ceil(side))?,
+                samples: 1,
+                sampling: Sampling::Center,
+                max_error: None,
+                ..settings.clone()
+            };
+            // The last rendering reports an error.
+            let _ = scene.render(&coarse, &Squares { live: self, side });
+        }
+        scene.render(settings, self)
+    }
+
+    /// Shows a finished picture of the same size.
     pub fn finish(&self, image: &Image) {
         for (y, row) in (0..).zip(image.rows()) {
-            self.paint(y, &mut row.iter().copied(), FINAL);
+            self.paint(y, &mut row.iter().copied());
         }
+        self.took.get_or_init(|| self.began.elapsed());
     }
 
-    fn paint(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>, state: u32) {
+    fn paint(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
         let width = self.size.width() as usize;
         let row = self.pixels.iter().skip(y as usize * width).take(width);
         for (live, color) in row.zip(pixels) {
-            live.store(self.transfer.pack(color) | state, Ordering::Relaxed);
+            live.store(self.transfer.pack(color), Ordering::Relaxed);
         }
         self.changes.fetch_add(1, Ordering::Relaxed);
     }
@@ -107,10 +114,13 @@ impl LivePicture {
         self.bar.position() as f64 / self.bar.length().unwrap_or(1) as f64
     }
 
-    /// The time since the rendering began, and the time for the remaining rows as soon as one row is
-    /// finished, in words.
+    /// In words, the time that the rendering took; before its end the time since it began, and the time
+    /// for the remaining rows as soon as one row is finished.
     #[must_use]
     pub fn times(&self) -> String {
+        if let Some(took) = self.took.get() {
+            return format!("{:.2} s", took.as_secs_f64());
+        }
         let [elapsed, to_go] = [self.bar.elapsed(), self.bar.eta()].map(FormattedDuration);
         if self.bar.position() == 0 {
             return format!("{elapsed} elapsed");
@@ -126,7 +136,7 @@ impl LivePicture {
 
 impl Progress for LivePicture {
     fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
-        self.paint(y, pixels, FINAL);
+        self.paint(y, pixels);
         self.bar.inc(1);
     }
 
@@ -140,43 +150,36 @@ impl Progress for LivePicture {
 }
 
 /// Paints a coarse picture, whose pixels are squares of this side, into a live one.
-pub struct Coarse<'a>(pub &'a LivePicture, pub u32);
+struct Squares<'a> {
+    live: &'a LivePicture,
+    side: u32,
+}
 
-impl Progress for Coarse<'_> {
+impl Progress for Squares<'_> {
     fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
-        let Self(live, side) = *self;
         let row: Vec<_> = pixels
-            .flat_map(|color| std::iter::repeat_n(color, side as usize))
+            .flat_map(|color| std::iter::repeat_n(color, self.side as usize))
             .collect();
-        for y in (y * side)..((y + 1) * side).min(live.size.height()) {
-            live.paint(y, &mut row.iter().copied(), COARSE);
+        for y in (y * self.side)..((y + 1) * self.side).min(self.live.size.height()) {
+            self.live.paint(y, &mut row.iter().copied());
         }
     }
 
     fn stopped(&self) -> bool {
-        self.0.stopped()
+        self.live.stopped()
     }
 }
 
-/// The sides of the pixels of coarse pictures that are rendered first, and the settings. All
-/// together take a small part of the time of the picture.
-pub fn coarse(scene: &Scene, settings: &Settings) -> impl Iterator<Item = (u32, Settings)> {
-    let has_rays = scene.rays().is_ok();
-    let (size, samples) = (settings.size, settings.samples);
-    let sides = [8, 4, 2, 1].into_iter();
+/// The sides of the squares of the coarse pictures. The squares of a large picture are no smaller than the
+/// pixels of a window.
+fn coarse_sides(scene: &Scene, settings: &Settings) -> Vec<u32> {
+    let mut sides = vec![8, 4, 2, 1];
+    sides.retain(|side| {
+        let is_cheap = settings.samples.saturating_mul(side * side) >= 16;
+        let is_seen = *side >= settings.size.width() / 1280;
+        scene.rays().is_ok() && is_cheap && is_seen
+    });
     sides
-        .filter(move |side| has_rays && samples.saturating_mul(side * side) >= 16)
-        .map(move |side| {
-            let size = Size::new(size.width().div_ceil(side), size.height().div_ceil(side));
-            let settings = Settings {
-                size: size.unwrap_or(settings.size),
-                samples: 1,
-                sampling: Sampling::Center,
-                max_error: None,
-                ..settings.clone()
-            };
-            (side, settings)
-        })
 }
 
 #[cfg(test)]
@@ -185,24 +188,26 @@ mod tests {
 
     #[test]
     fn rows_appear_where_they_belong_and_are_counted() {
-        let picture = LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear);
-        let row = |y| [0, 1, 2].map(|x| picture.pixel(x, y));
-        let [red, green, white] = [0xFF_0000, 0x00_FF00, 0xFF_FFFF].map(Some);
-        Coarse(&picture, 2).row(1, &mut [Color::RED, Color::GREEN].into_iter());
+        let live = LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear);
+        let row = |y| [0, 1, 2].map(|x| live.pixel(x, y));
+        let [red, green, white] = [0xFF_0000, 0x00_FF00, 0xFF_FFFF];
+        let squares = Squares {
+            live: &live,
+            side: 2,
+        };
+        squares.row(1, &mut [Color::RED, Color::GREEN].into_iter());
         assert_eq!((row(2), row(3)), ([red, red, green], [red, red, green]));
-        assert!(!picture.is_finished(2));
-        picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
-        assert_eq!((row(1), row(2)), ([None; 3], [red, green, white]));
-        assert!(picture.is_finished(2));
-        assert_eq!(picture.fraction(), 0.25);
+        live.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
+        assert_eq!((row(1), row(2)), ([0; 3], [red, green, white]));
+        assert_eq!(live.fraction(), 0.25);
 
         for y in [0, 1, 3] {
-            picture.row(y, &mut [Color::BLACK; 3].into_iter());
+            live.row(y, &mut [Color::BLACK; 3].into_iter());
         }
         // A row that is painted again is work, too.
-        picture.more_rows(1);
-        assert_eq!(picture.fraction(), 0.8);
-        picture.row(2, &mut [Color::WHITE; 3].into_iter());
-        assert_eq!((picture.fraction(), picture.pixel(0, 2)), (1.0, white));
+        live.more_rows(1);
+        assert_eq!(live.fraction(), 0.8);
+        live.row(2, &mut [Color::WHITE; 3].into_iter());
+        assert_eq!((live.fraction(), live.pixel(0, 2)), (1.0, white));
     }
 }

@@ -51,18 +51,16 @@ impl OpenedFile {
         self.error.as_ref()
     }
 
-    /// Its scene, or what is wrong with the file as it is now.
-    pub fn into_scene(self) -> Result<Scene, Error> {
-        match (self.scene, self.error) {
-            (Some(scene), None) => Ok(scene),
-            (_, Some(error)) => Err(error),
-            // It has been read, so that it has one of both.
-            (None, None) => Err(Error::Stopped),
+    /// The error of a broken file.
+    pub fn check(self) -> Result<Self, Error> {
+        match self.error {
+            Some(error) => Err(error),
+            None => Ok(self),
         }
     }
 
     /// Whether the file is read again when it has been saved.
-    pub const fn is_watched(&self) -> bool {
+    const fn is_watched(&self) -> bool {
         self.watch.is_some()
     }
 

@@ -151,7 +151,7 @@ impl Options {
             omissions: None,
             transfer: self.transfer,
             file: self.open.clone().or_else(|| defaults.file.clone()),
-            edits: defaults.edits.clone(),
+            edits: defaults.edits,
         })
     }
 

@@ -12,18 +12,20 @@ use crate::options::Options;
 use crate::print::{print, warn};
 use crate::target::Target;
 use crate::terminal_progress::TerminalProgress;
-use crate::watch::NOT_WATCHED;
+use crate::watch::{NOT_WATCHED, PERIOD};
+use crate::work;
 
 /// After this time a picture takes long, so that a faster renderer is worth a remark.
 pub const SLOW: Duration = Duration::from_secs(4);
 
-/// Writes the pictures of these scenes, if `by` returns one, and prints the path and the time of each.
-/// Wrong arguments are refused before the first picture is begun.
+/// Writes the pictures of these scenes, and prints the path and the time of each; for a report of
+/// the work that is left out, the report, and a picture if there is one. Wrong arguments are refused
+/// before the first picture is begun.
 pub fn render_to_files(
     stage: &Stage,
     scenes: &[Scene],
     output: Option<PathBuf>,
-    by: impl Fn(&Scene, &Settings, &Options) -> Result<Option<Image>, Error>,
+    reports_work: bool,
     options: &Options,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -35,9 +37,12 @@ pub fn render_to_files(
     for (scene, settings) in jobs {
         warn_unused(scene, options, &settings);
         let start = Instant::now();
-        let Some(image) = by(scene, &settings, options)? else {
-            continue;
+        let image = if reports_work {
+            work::render_and_report(scene, &settings, options)?
+        } else {
+            Some(render(scene, &settings, options)?)
         };
+        let Some(image) = image else { continue };
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         let path = text::visible(&path.to_string_lossy());
@@ -72,7 +77,7 @@ pub fn watch(
     render_file(&file)?;
     warn("note: each save of the file renders it anew; Ctrl+C ends this");
     loop {
-        thread::sleep(Duration::from_millis(200));
+        thread::sleep(PERIOD);
         if file.reread(stage)
             && let Err(error) = render_file(&file)
         {

@@ -5,13 +5,12 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue};
-use common::{Error, Scene, Settings, Stage, text};
+use common::{Error, Scene, Stage, text};
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
-use crate::options::Options;
 use crate::print::{ignore_broken_pipe, print, warn};
-use crate::{render, show, work};
+use crate::{render, show};
 
 /// Runs the program of `stage` with the arguments of this process.
 ///
@@ -93,15 +92,8 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
             work,
             options,
         }) => {
-            let by = |scene: &Scene, settings: &Settings, options: &Options| {
-                if work {
-                    work::render_and_report(scene, settings, options)
-                } else {
-                    render::render(scene, settings, options).map(Some)
-                }
-            };
             let render = |scenes: &[Scene]| {
-                render::render_to_files(stage, scenes, output.clone(), by, &options)
+                render::render_to_files(stage, scenes, output.clone(), work, &options)
             };
             if watch {
                 return render::watch(stage, &scenes, render).map(|()| ExitCode::SUCCESS);

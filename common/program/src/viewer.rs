@@ -6,8 +6,7 @@ use common::Error;
 use crate::Gallery;
 
 /// Shows the scenes of a gallery to a person while they are rendered, and returns when the
-/// person closes the window. The rendering of the first scene has been started, unless it
-/// shows a file.
+/// person closes the window.
 pub type Viewer = fn(&mut Gallery) -> Result<(), NotShown>;
 
 /// Why nothing was shown.

@@ -4,36 +4,59 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
 
+use common::fnv1a;
+
 /// A file that is missing for this time is gone: an editor deletes one for a moment only, while it
 /// saves.
 const GONE: Duration = Duration::from_secs(1);
+
+/// The files are looked at again after this time.
+pub const PERIOD: Duration = Duration::from_millis(200);
+
+/// The content of a file of at most this size, in bytes, is compared, too: two saves of the same length may
+/// have the same time. That of larger ones, which no person types, would take too long to read so often.
+const MOST_COMPARED: u64 = 1 << 20;
 
 /// Why nothing can be watched.
 pub const NOT_WATCHED: &str = "--watch needs one scene file, which ends in .toml";
 
 /// The files of a scene, and what was known of them at the last call.
-pub struct Watch(Vec<Watched>);
+pub struct Watch {
+    files: Vec<Watched>,
+    looked: Instant,
+}
 
 struct Watched {
     path: PathBuf,
-    /// The time when the file was saved, and its size; none for a file that is gone.
-    saved: Option<(SystemTime, u64)>,
+    /// The file as it was saved; none for one that is gone.
+    saved: Option<Saved>,
     /// The time of the first call that did not find it.
     missing_since: Option<Instant>,
+}
+
+#[derive(PartialEq, Eq)]
+struct Saved {
+    time: SystemTime,
+    bytes: u64,
+    /// The hash of the content; 0 for a large file.
+    hash: u64,
 }
 
 impl Watch {
     /// Watches a file from now on, whether it is there or not.
     pub fn new(path: &Path) -> Self {
-        let mut watch = Self(Vec::new());
+        let mut watch = Self {
+            files: Vec::new(),
+            looked: Instant::now(),
+        };
         watch.add(path);
         watch
     }
 
     /// Watches one more file, unless it is watched already.
     pub fn add(&mut self, path: &Path) {
-        if self.0.iter().all(|file| file.path != path) {
-            self.0.push(Watched {
+        if self.files.iter().all(|file| file.path != path) {
+            self.files.push(Watched {
                 path: path.to_owned(),
                 saved: saved(path),
                 missing_since: None,
@@ -41,14 +64,20 @@ impl Watch {
         }
     }
 
-    /// Whether one of the files has been saved or deleted since the last call.
+    /// Whether one of the files has been saved or deleted since the last look at them, which this call
+    /// repeats if [`PERIOD`] is over.
     pub fn has_changed(&mut self) -> bool {
-        self.has_changed_at(Instant::now())
+        let now = Instant::now();
+        if now - self.looked < PERIOD {
+            return false;
+        }
+        self.looked = now;
+        self.has_changed_at(now)
     }
 
     fn has_changed_at(&mut self, time: Instant) -> bool {
         let mut has_changed = false;
-        for file in &mut self.0 {
+        for file in &mut self.files {
             let now = saved(&file.path);
             let is_gone = if now.is_none() {
                 time - *file.missing_since.get_or_insert(time) >= GONE
@@ -65,13 +94,25 @@ impl Watch {
     }
 }
 
-fn saved(path: &Path) -> Option<(SystemTime, u64)> {
+fn saved(path: &Path) -> Option<Saved> {
     let metadata = fs::metadata(path).ok()?;
-    Some((metadata.modified().ok()?, metadata.len()))
+    let bytes = metadata.len();
+    let hash = if bytes <= MOST_COMPARED && metadata.is_file() {
+        fnv1a(&fs::read(path).ok()?)
+    } else {
+        0
+    };
+    Some(Saved {
+        time: metadata.modified().ok()?,
+        bytes,
+        hash,
+    })
 }
 
 #[cfg(test)]
 mod tests {
+    use std::io::Write;
+
     use super::*;
 
     #[test]
@@ -79,21 +120,28 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("w.toml");
         let mut watch = Watch::new(&path);
-        assert!(!watch.has_changed());
+        let start = Instant::now();
+        let mut has_changed = |milliseconds| {
+            let time = start + Duration::from_millis(milliseconds);
+            watch.has_changed_at(time)
+        };
+        assert!(!has_changed(0));
         fs::write(&path, "a").unwrap();
-        assert_eq!([watch.has_changed(), watch.has_changed()], [true, false]);
-        fs::write(&path, "ab").unwrap();
-        assert_eq!([watch.has_changed(), watch.has_changed()], [true, false]);
+        assert_eq!([has_changed(0), has_changed(0)], [true, false]);
+        // The same length and the same time, as of two saves at once.
+        let time = fs::metadata(&path).unwrap().modified().unwrap();
+        let mut file = fs::File::create(&path).unwrap();
+        file.write_all(b"b").unwrap();
+        file.set_modified(time).unwrap();
+        assert_eq!([has_changed(0), has_changed(0)], [true, false]);
         // For a moment the file is missing, and comes back as it was.
         let aside = folder.path().join("aside");
         fs::rename(&path, &aside).unwrap();
-        assert!(!watch.has_changed());
+        assert!(!has_changed(0));
         fs::rename(&aside, &path).unwrap();
-        assert!(!watch.has_changed());
+        assert!(!has_changed(0));
         fs::remove_file(&path).unwrap();
-        let start = Instant::now();
-        let changed = [0, 999, 1000, 5000]
-            .map(|milliseconds| watch.has_changed_at(start + Duration::from_millis(milliseconds)));
-        assert_eq!(changed, [false, false, true, false]);
+        let gone = [1, 1000, 1001, 5000].map(&mut has_changed);
+        assert_eq!(gone, [false, false, true, false]);
     }
 }

@@ -139,20 +139,13 @@ fn add_shapes<'u>(
     Ok(())
 }
 
-/// The picture, the camera, the background and the ambient light.
-fn head(
+/// Writes a camera in a language, for a picture of the size of these settings.
+pub fn write_camera(
     language: Phrases,
-    scene: &Scene,
     camera: &Camera,
     settings: &Settings,
 ) -> Result<String, String> {
     let [width, height] = [settings.size.width(), settings.size.height()].map(f64::from);
-    let (samples, depth) = (f64::from(settings.samples), f64::from(settings.depth));
-    let size = [&[width][..], &[height], &[depth]];
-    let mut text = language.find("start", "width height depth", &size)?;
-    let default = Settings::default();
-    text += &unless(default.samples.into(), language, "samples", &[samples]);
-    text += &unless(default.depth.into(), language, "depth", &[depth]);
     let (kind, basis, half) = match camera {
         Camera::Perspective {
             basis,
@@ -174,7 +167,24 @@ fn head(
     let (gaze, angle, focus, scale) = (short(-basis.w), [angle], [0.5 / half], [half]);
     let names = "eye gaze up right upwards ahead angle focus scale frustum";
     let values: [&[f64]; 10] = [&e, &gaze, &up, &u, &v, &w, &angle, &focus, &scale, &frustum];
-    text += &language.find(kind, names, &values)?;
+    language.find(kind, names, &values)
+}
+
+/// The picture, the camera, the background and the ambient light.
+fn head(
+    language: Phrases,
+    scene: &Scene,
+    camera: &Camera,
+    settings: &Settings,
+) -> Result<String, String> {
+    let [width, height] = [settings.size.width(), settings.size.height()].map(f64::from);
+    let (samples, depth) = (f64::from(settings.samples), f64::from(settings.depth));
+    let size = [&[width][..], &[height], &[depth]];
+    let mut text = language.find("start", "width height depth", &size)?;
+    let default = Settings::default();
+    text += &unless(default.samples.into(), language, "samples", &[samples]);
+    text += &unless(default.depth.into(), language, "depth", &[depth]);
+    text += &write_camera(language, camera, settings)?;
     text += &unless(0.0, language, "background", &scene.background.channels());
     text += &unless(0.0, language, "ambient", &scene.ambient.channels());
     Ok(text)

@@ -24,7 +24,7 @@ mod uses;
 
 pub use color_text::names as color_names;
 pub use error::Error;
-pub use export::{WrittenShape, export};
+pub use export::{WrittenShape, export, write_camera};
 pub use first_mistake::FirstMistake;
 pub use item::{Data, Item};
 pub use kind::{KINDS, Key, Kind, OwnTable};
