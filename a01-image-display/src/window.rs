@@ -50,22 +50,24 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
     while window.is_open() {
         let rate = if window.is_active() { OFTEN } else { RARELY };
         window.set_target_fps(rate);
-        let is_placed = screen.place(window.get_size(), gallery.picture().size());
         let events = input.events(&window);
         for event in &events {
             if !obey(event, &mut screen, gallery) {
                 return Ok(());
             }
         }
-        let is_new = gallery.update() || is_placed || !events.is_empty();
-        let wait = if is_new {
+        let is_finished = gallery.update();
+        let (width, height) = window.get_size();
+        let is_placed = screen.place((width, height), gallery.picture().size());
+        let wait = if is_finished || is_placed || !events.is_empty() {
             Duration::ZERO
         } else if gallery.picture().changes() != changes {
             GROWN
         } else {
             COVERED
         };
-        if drawn.elapsed() < wait {
+        let is_hidden = width == 0 || height == 0;
+        if drawn.elapsed() < wait || is_hidden {
             window.update();
             continue;
         }
@@ -75,7 +77,6 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
             window.set_title(&title);
         }
         screen.draw(gallery, input.at);
-        let (width, height) = screen.size;
         let shown = window.update_with_buffer(&screen.frame.pixels, width, height);
         shown.map_err(no_window)?;
     }

@@ -88,7 +88,7 @@ fn mixed(below: u32, above: u32, fraction: f64) -> u32 {
     let fraction = (256.0 * fraction) as u32;
     let channel = |shift: u32| {
         let [below, above] = [below, above].map(|color| color >> shift & 0xFF);
-        (below * (256 - fraction) + above * fraction) / 256 << shift
+        ((below * (256 - fraction) + above * fraction) / 256) << shift
     };
     channel(16) | channel(8) | channel(0)
 }
@@ -104,7 +104,10 @@ pub fn wrapped(text: &str, most: usize) -> Vec<String> {
             let has_room = used + 1 + part.chars().count() <= most;
             match lines.last_mut() {
                 Some(line) if line.is_empty() => line.push_str(&part),
-                Some(line) if has_room => *line += &format!(" {part}"),
+                Some(line) if has_room => {
+                    line.push(' ');
+                    line.push_str(&part);
+                }
                 _ => lines.push(part),
             }
         }

@@ -36,7 +36,7 @@ const KEYS: [(&str, &str); 10] = [
 #[derive(Default)]
 pub struct Screen {
     /// Width and height of the window.
-    pub size: (usize, usize),
+    size: (usize, usize),
     pub frame: Frame,
     /// Whether all keys are listed over the picture.
     pub lists_keys: bool,
@@ -295,7 +295,7 @@ impl Screen {
 
 /// The mean of four packed colours. Red and blue have room for their sums beside each other.
 fn mean(four: &[u32]) -> u32 {
-    let sum = |mask: u32| four.iter().map(|color| color & mask).sum::<u32>() / 4 & mask;
+    let sum = |mask: u32| (four.iter().map(|color| color & mask).sum::<u32>() / 4) & mask;
     sum(0xFF_00FF) | sum(0x00_FF00)
 }
 

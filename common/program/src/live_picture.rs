@@ -49,12 +49,13 @@ impl LivePicture {
         self.size
     }
 
-    /// The current colour of a pixel, which must lie in the picture.
+    /// The current colour of a pixel; black beside the picture.
     #[inline]
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> u32 {
         let index = y as usize * self.size.width() as usize + x as usize;
-        self.pixels[index].load(Ordering::Relaxed)
+        let pixel = self.pixels.get(index);
+        pixel.map_or(0, |pixel| pixel.load(Ordering::Relaxed))
     }
 
     /// A number that grows with each change of the picture; 0 for an empty one.

@@ -2,7 +2,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use common::atomic_file;
+use common::{Color, atomic_file};
 
 use super::*;
 
