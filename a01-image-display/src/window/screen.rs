@@ -264,30 +264,26 @@ impl Screen {
         }
     }
 
-    /// Draws the list of all keys in the middle of the window.
+    /// Draws the list of all keys below the menu.
     fn draw_keys(&mut self) {
         let dot = self.dot;
-        let (width, height) = (8 * dot * 52, LINE * dot * KEYS.len() as i32 + 18 * dot);
-        let x = (self.size.0 as i32 - width) / 2;
-        let y = (self.size.1 as i32 - height) / 2;
         let area = Area {
-            x,
-            y,
-            width,
-            height,
+            x: 0,
+            y: menu_height(dot),
+            width: 8 * dot * 50,
+            height: LINE * dot * KEYS.len() as i32 + 18 * dot,
         };
         let inside = Area {
-            x: x + dot,
-            y: y + dot,
-            width: width - 2 * dot,
-            height: height - 2 * dot,
+            width: area.width - dot,
+            height: area.height - dot,
+            ..area
         };
         self.frame.fill(area, ACCENT);
         self.frame.fill(inside, BAR);
-        let mut y = y + 12 * dot;
+        let mut y = area.y + 12 * dot;
         for (key, text) in KEYS {
-            self.frame.text([x + 16 * dot, y], dot, ACCENT, key);
-            self.frame.text([x + 8 * dot * 16, y], dot, TEXT, text);
+            self.frame.text([10 * dot, y], dot, ACCENT, key);
+            self.frame.text([8 * dot * 15, y], dot, TEXT, text);
             y += LINE * dot;
         }
     }
