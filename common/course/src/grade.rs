@@ -78,13 +78,10 @@ impl Grade {
     /// A folder with a handout without solutions, which is built.
     fn prepare(&self, course: &'static [Exercise]) -> Result<GradingFolder, String> {
         let handout = Handout {
-            until: self.exercises.iter().map(|e| e.stage.to_owned()).max(),
             without_solutions: true,
             ..Handout::default()
         };
-        let folder = GradingFolder::take()?;
-        folder.prepare(&handout.workbook(course)?, &self.exercises)?;
-        Ok(folder)
+        GradingFolder::new(&handout.workbook(course)?, &self.exercises)
     }
 
     /// Judges the files of a student, one after the other.

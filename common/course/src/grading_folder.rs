@@ -1,7 +1,7 @@
-//! `GradingFolder`: a folder in which one file after the other is compiled and judged.
+//! `GradingFolder`: the folder `target/grading`, in which one file after the other is compiled and
+//! judged. It remains, so that the next grading has nothing to build.
 //!
-//! Each grading that runs at the same time has its own: `target/grading/1`, `2` and so on. They remain,
-//! so that the next grading has nothing to build.
+//! Gradings at the same time share it: each locks it while it judges a file.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -14,84 +14,55 @@ use learn::files::{self, with_path};
 
 use crate::sandbox::{End, Ended, Limits, Sandbox};
 
-/// The name of the file that says that everything is built.
-const BUILT: &str = "built";
-
 /// The files of a workbook by their paths.
 pub type Workbook = BTreeMap<String, Vec<u8>>;
 
-/// A folder that no other grading uses.
+/// The folder of all gradings.
 pub struct GradingFolder {
     pub sandbox: Sandbox,
-    /// The lock, which ends with the program.
-    _lock: File,
 }
 
 impl GradingFolder {
-    /// The first folder that nobody uses.
-    pub fn take() -> Result<Self, String> {
-        let all = all_folders();
-        for number in 1.. {
-            let folder = all.join(number.to_string());
-            fs::create_dir_all(&folder).map_err(with_path(&folder))?;
-            let path = folder.join("lock");
-            let lock = File::create(&path).map_err(with_path(&path))?;
-            match lock.try_lock() {
-                Ok(()) => {
-                    return Ok(Self {
-                        sandbox: Sandbox { folder },
-                        _lock: lock,
-                    });
-                }
-                Err(fs::TryLockError::WouldBlock) => {}
-                Err(fs::TryLockError::Error(error)) => return Err(with_path(&path)(error)),
-            }
+    /// Writes what has changed of the workbook, and builds the stages of the exercises by the words
+    /// by which students' files are built: so for each of them only the file itself is compiled
+    /// within the student's limit of time.
+    pub fn new(workbook: &Workbook, exercises: &[&Exercise]) -> Result<Self, String> {
+        let folder = files::workspace().join("target/grading");
+        let folder = Self {
+            sandbox: Sandbox { folder },
+        };
+        let root = folder.in_workbook("");
+        for folder in [&root, &folder.sandbox.folder.join("target")] {
+            fs::create_dir_all(folder).map_err(with_path(folder))?;
         }
-        Err("there is no free folder".to_owned())
-    }
-
-    fn folder(&self) -> &Path {
-        &self.sandbox.folder
-    }
-
-    /// The place of a file in its workbook.
-    fn in_workbook(&self, path: &str) -> PathBuf {
-        self.folder().join("workbook").join(path)
-    }
-
-    /// Writes what has changed of the workbook, and builds the stages of the exercises. One folder is built at
-    /// a time; a new one begins with a copy of what another one has built.
-    pub fn prepare(&self, workbook: &Workbook, exercises: &[&Exercise]) -> Result<(), String> {
-        let path = all_folders().join("lock");
-        let building = File::create(&path).map_err(with_path(&path))?;
-        building.lock().map_err(with_path(&path))?;
-        let root = self.in_workbook("");
-        fs::create_dir_all(&root).map_err(with_path(&root))?;
+        let lock = folder.lock()?;
         update(&root, workbook).map_err(with_path(&root))?;
         // Cargo forgets the packages that the handout does not need.
         let mut cargo = Command::new("cargo");
         cargo.args(["update", "--workspace", "--offline", "--quiet"]);
         output_of(cargo.current_dir(&root))?;
-        let target = self.folder().join("target");
-        if !target.exists() {
-            self.copy_target_of_another();
-        }
-        fs::create_dir_all(&target).map_err(with_path(&target))?;
         for e in exercises.chunk_by(|a, b| a.stage == b.stage) {
-            self.build_stage(e[0])?;
+            let (first, starter) = (e[0], files::starter(e[0])?);
+            let built = folder.build(first, &starter, Limits::All)?;
+            if built.end != End::Success {
+                return Err(format!("{} does not build\n{}", first.stage, built.output));
+            }
         }
-        let built = self.folder().join(BUILT);
-        fs::write(&built, "").map_err(with_path(&built))
+        drop(lock);
+        Ok(folder)
     }
 
-    /// Builds a stage by the words by which its students' files are built, so that for each of them
-    /// only the file itself is compiled within the student's limit of time.
-    fn build_stage(&self, e: &Exercise) -> Result<(), String> {
-        let built = self.build(e, &files::starter(e)?, Limits::All)?;
-        if built.end == End::Success {
-            return Ok(());
-        }
-        Err(format!("{} does not build\n{}", e.stage, built.output))
+    /// Waits until no other grading uses the folder. The lock ends with the file.
+    pub fn lock(&self) -> Result<File, String> {
+        let path = self.sandbox.folder.join("lock");
+        let lock = File::create(&path).map_err(with_path(&path))?;
+        lock.lock().map_err(with_path(&path))?;
+        Ok(lock)
+    }
+
+    /// The place of a file in the workbook.
+    fn in_workbook(&self, path: &str) -> PathBuf {
+        self.sandbox.folder.join("workbook").join(path)
     }
 
     /// Builds the program of an exercise with a file, which is there only meanwhile: the next one
@@ -107,25 +78,6 @@ impl GradingFolder {
         fs::remove_file(&file).map_err(with_path(&file))?;
         built
     }
-
-    /// If another folder is built, copies its `target`. Its files of the last student may vanish
-    /// meanwhile; Cargo builds what is missing.
-    fn copy_target_of_another(&self) {
-        for entry in fs::read_dir(all_folders()).into_iter().flatten().flatten() {
-            if entry.path().join(BUILT).exists() {
-                let mut copy = Command::new("cp");
-                copy.args(["-a", "--reflink=auto"]);
-                copy.arg(entry.path().join("target")).arg(self.folder());
-                let _ = copy.output();
-                return;
-            }
-        }
-    }
-}
-
-/// The folder of all folders.
-fn all_folders() -> PathBuf {
-    files::workspace().join("target/grading")
 }
 
 /// Writes the files that differ, and removes those that are in no workbook: of others Cargo sees by

@@ -28,6 +28,7 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
     if let Some(refused) = refusal(e, text) {
         return Ok(wrong(&refused));
     }
+    let _lock = folder.lock()?;
     let sandbox = &folder.sandbox;
     let built = folder.build(e, text, Limits::Build)?;
     match built.end {
