@@ -95,14 +95,16 @@ pub enum Found<'a> {
 /// The submissions in folders and zip files, in the order of their names.
 pub fn read(places: &[PathBuf], course: &'static [Exercise]) -> io::Result<Vec<Submission>> {
     let is_wanted = |name: &str| course.iter().any(|e| name.to_lowercase().contains(e.name));
-    let mut places: Vec<_> = places.to_vec();
-    places.dedup();
     let mut students: BTreeMap<Vec<String>, Vec<StudentsFile>> = BTreeMap::new();
-    for place in &places {
-        let typed = typed(place)?;
+    for place in places {
+        let mut typed = typed(place)?;
         let mut files = Vec::new();
         for file in files_in(place, &typed, &is_wanted) {
             files.push(StudentsFile::new(file, typed.len(), course));
+        }
+        if place.is_file() && !typed.last().is_some_and(|name| is_zip(name)) {
+            // A file alone is in its folder.
+            typed.pop();
         }
         let (level, is_class) = level(&files, typed);
         for mut file in files {

@@ -156,10 +156,7 @@ fn a_student_alone() {
     assert_eq!(found(&folder, &["bob"]), ["bob: my work/ray.rs; sphere.rs"]);
     assert_eq!(found(&folder, &["ada", "bob"]).len(), 2);
     assert_eq!(found(&folder, &["."]).len(), 2);
-    assert_eq!(
-        found(&folder, &["bob/sphere.rs"]),
-        ["sphere.rs: -; sphere.rs"]
-    );
+    assert_eq!(found(&folder, &["bob/sphere.rs"]), ["bob: -; sphere.rs"]);
 }
 
 #[test]
