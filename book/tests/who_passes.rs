@@ -8,7 +8,7 @@ const PAGE: &str = "book/src/corpus.md";
 pub fn complaints(files: &Files) -> Vec<String> {
     let page = files.text(PAGE).unwrap_or_default();
     let results = |name: &str| {
-        let text = files.text(&format!("corpus/results/{name}.txt"));
+        let text = files.text(&format!("common/corpus/results/{name}.txt"));
         text.map(str::to_owned)
     };
     let table = match corpus::table(results) {

@@ -3,6 +3,7 @@
 #![doc(hidden)]
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
+pub mod asked;
 pub mod certified;
 pub mod experiments;
 mod extremes;

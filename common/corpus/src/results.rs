@@ -1,0 +1,176 @@
+//! Answers of libraries, as their adapters write them, and the table of all.
+
+use std::collections::{BTreeMap, HashMap};
+use std::fmt::Write;
+
+use crate::{
+    CASES, Case, DOUBLE, Found, Mistake, SINGLE, SINGLE_CASES, Tally, Verdict, judge, read,
+};
+
+/// What is wrong with a file of results.
+#[derive(Debug, thiserror::Error)]
+pub enum Problem {
+    /// The cases cannot be read.
+    #[error(transparent)]
+    Cases(#[from] Mistake),
+    /// A line is none of a result.
+    #[error("the line {0:?} is not an id and miss or a number")]
+    Line(String),
+    /// The first two lines are not those of a result.
+    #[error("the first lines must be # with the library's name, and # single or # double")]
+    Head,
+    /// There is no such case.
+    #[error("there is no case {0}")]
+    Case(String),
+}
+
+/// An answer with its verdict.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// The case.
+    pub case: Case,
+    /// What the library found.
+    pub found: Found,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+/// What the first lines of a file of results say.
+struct Head<'a> {
+    title: &'a str,
+    is_single: bool,
+}
+
+fn head(text: &str) -> Result<Head<'_>, Problem> {
+    let mut lines = text.lines().map(|line| line.strip_prefix("# "));
+    let (title, precision) = (lines.next().flatten(), lines.next().flatten());
+    match (title, precision) {
+        (Some(title), Some(precision @ ("single" | "double"))) => Ok(Head {
+            title,
+            is_single: precision == "single",
+        }),
+        _ => Err(Problem::Head),
+    }
+}
+
+/// Judges the text of a file of results.
+pub fn judged(text: &str) -> Result<Vec<Judged>, Problem> {
+    let Head { is_single, .. } = head(text)?;
+    let (cases, unit) = if is_single {
+        (SINGLE_CASES, SINGLE)
+    } else {
+        (CASES, DOUBLE)
+    };
+    let mut by_id = HashMap::new();
+    for case in read(cases)? {
+        by_id.insert(case.question.id.clone(), case);
+    }
+    let mut all = Vec::new();
+    for line in text.lines().skip(2) {
+        let (id, answer) = line
+            .split_once(' ')
+            .ok_or_else(|| Problem::Line(line.to_owned()))?;
+        let found = match answer {
+            "miss" => None,
+            t => Some(t.parse().map_err(|_| Problem::Line(line.to_owned()))?),
+        };
+        let case = by_id
+            .remove(id)
+            .ok_or_else(|| Problem::Case(id.to_owned()))?;
+        all.push(Judged {
+            verdict: judge(&case, found, unit),
+            found,
+            case,
+        });
+    }
+    Ok(all)
+}
+
+/// Results that this repository has.
+pub struct Recorded {
+    /// The name of who answered, in a sentence.
+    pub name: &'static str,
+    /// The text of the file.
+    pub results: &'static str,
+}
+
+/// With whom a student's code is compared.
+#[must_use]
+pub fn recorded() -> [Recorded; 2] {
+    [
+        Recorded {
+            name: "the lesson",
+            results: include_str!("../results/lesson.txt"),
+        },
+        Recorded {
+            name: "Embree (in single precision)",
+            results: include_str!("../results/embree.txt"),
+        },
+    ]
+}
+
+/// Counts the verdicts about the cases with these ids.
+pub fn tally_of(results: &str, ids: &[String]) -> Result<Tally, Problem> {
+    let mut tally = Tally::default();
+    for judged in judged(results)? {
+        if ids.contains(&judged.case.question.id) {
+            tally.add(judged.verdict);
+        }
+    }
+    Ok(tally)
+}
+
+/// The rows of the table: from what computes like the lesson to what does not.
+const ORDER: [&str; 13] = [
+    "lesson",
+    "engine",
+    "woop-compensated",
+    "moeller-trumbore",
+    "protocol",
+    "parry",
+    "bvh",
+    "single-precision",
+    "embree",
+    "open3d",
+    "mitsuba",
+    "mitsuba-robust",
+    "three-mesh-bvh",
+];
+
+/// The table of all results, which a function reads by their names: right of asked answers, by family.
+pub fn table(read_results: impl Fn(&str) -> Option<String>) -> Result<String, Problem> {
+    let mut text = String::from(
+        "| who answers | decisions | values | the families in which not all are right |\n|---|---|---|---|\n",
+    );
+    for name in ORDER {
+        let Some(results) = read_results(name) else {
+            continue;
+        };
+        let mut all = Tally::default();
+        let mut families: BTreeMap<String, Tally> = BTreeMap::new();
+        for Judged { case, verdict, .. } in judged(&results)? {
+            all.add(verdict);
+            let family = families.entry(case.question.family).or_default();
+            family.add(verdict);
+        }
+        let mut not_all = Vec::new();
+        for (family, tally) in families {
+            if tally.right < tally.asked {
+                not_all.push(format!("{family} {} of {}", tally.right, tally.asked));
+            }
+        }
+        let Head { title, is_single } = head(&results)?;
+        let precision = if is_single { " (single)" } else { "" };
+        // A `String` takes all.
+        let _ = writeln!(
+            text,
+            "| {title}{precision} | {} of {} | {} of {} | {} |",
+            all.right_decisions,
+            all.decisions,
+            all.right_values,
+            all.values,
+            not_all.join(", "),
+        );
+    }
+    Ok(text)
+}

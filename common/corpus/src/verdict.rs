@@ -1,0 +1,110 @@
+//! The verdict about an answer, in two parts: its decision, and its value.
+
+use crate::{Answer, Case};
+
+/// The relative rounding error of doubles, `2^-53`.
+pub const DOUBLE: f64 = 0.5 * f64::EPSILON;
+
+/// The relative rounding error of single precision, `2^-24`.
+pub const SINGLE: f64 = 0.5 * f32::EPSILON as f64;
+
+/// How many rounding errors of its inputs an answer may be off. A formula of some dozen operations that
+/// adds no error of its own kind stays below.
+const ALLOWED: f64 = 16.0;
+
+/// The `t` that a library finds, if it finds a hit.
+pub type Found = Option<f64>;
+
+/// What is to be said of an answer. A part that no answer could fail is `None`, and is not counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Verdict {
+    /// Whether it is a hit or a miss as it should be. `None` on a border, where the answer for numbers that
+    /// differ by rounding is another one, and in the plane of a flat shape.
+    pub decision: Option<bool>,
+    /// Whether the `t` of a hit is a number and as near as the problem lets it be. `None` if there is none, or if
+    /// any `t` up to twice the exact one would be.
+    pub value: Option<bool>,
+}
+
+impl Verdict {
+    /// Whether the answer could have been wrong.
+    #[must_use]
+    pub fn is_counted(self) -> bool {
+        self.decision.is_some() || self.value.is_some()
+    }
+
+    /// Whether neither part is wrong.
+    #[must_use]
+    pub fn is_right(self) -> bool {
+        self.decision != Some(false) && self.value != Some(false)
+    }
+}
+
+/// Judges an answer for a case. `unit` is the relative rounding error of the numbers in which the answer
+/// was computed, [`DOUBLE`] or [`SINGLE`].
+#[must_use]
+pub fn judge(case: &Case, found: Found, unit: f64) -> Verdict {
+    let is_hit = match case.answer {
+        Answer::Hit(_) => Some(true),
+        Answer::Miss | Answer::NoShape => Some(false),
+        // Neither a hit nor a miss contradicts infinitely many hits.
+        Answer::Coplanar => None,
+    };
+    Verdict {
+        decision: is_hit
+            .filter(|_| !case.is_border)
+            .map(|is_hit| is_hit == found.is_some()),
+        value: found.and_then(|t| judge_value(case, t, unit)),
+    }
+}
+
+/// Whether a `t` is right, if another one would not be.
+fn judge_value(case: &Case, t: f64, unit: f64) -> Option<bool> {
+    if !t.is_finite() {
+        return Some(false);
+    }
+    let (least, greatest) = match (&case.answer, case.between) {
+        (Answer::Hit(hit), between) => {
+            // One unit in the last place is at most two rounding errors.
+            let allowed = ALLOWED * case.condition.max(1.0) * 2.0 * unit * hit.t.abs();
+            let [least, greatest] = between.unwrap_or([hit.t, hit.t]);
+            let (least, greatest) = (least.min(hit.t - allowed), greatest.max(hit.t + allowed));
+            if least <= 0.0 && greatest >= 2.0 * hit.t {
+                return None;
+            }
+            (least, greatest)
+        }
+        (_, Some([least, greatest])) => (least, greatest),
+        (_, None) => return None,
+    };
+    Some(least <= t && t <= greatest)
+}
+
+/// How many parts of answers are right.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// All answers that could have been wrong.
+    pub asked: usize,
+    /// Those of which no part is wrong.
+    pub right: usize,
+    /// All decisions that could have been wrong.
+    pub decisions: usize,
+    /// Those that are right.
+    pub right_decisions: usize,
+    /// All values that could have been wrong.
+    pub values: usize,
+    /// Those that are right.
+    pub right_values: usize,
+}
+
+impl Tally {
+    /// Counts one more answer.
+    pub fn add(&mut self, verdict: Verdict) {
+        self.asked += usize::from(verdict.is_counted());
+        self.right += usize::from(verdict.is_counted() && verdict.is_right());
+        self.decisions += usize::from(verdict.decision.is_some());
+        self.right_decisions += usize::from(verdict.decision == Some(true));
+        self.values += usize::from(verdict.value.is_some());
+        self.right_values += usize::from(verdict.value == Some(true));
+    }
+}
