@@ -21,7 +21,6 @@ pub fn laboratory() -> Laboratory {
         stage: stage(),
         experiments,
         extremes: |_| Vec::new(),
-        search: None,
     }
 }
 

@@ -9,7 +9,7 @@ mod vectors;
 use measure::Effort;
 use measure::experiment::{Experiment, TaskSet};
 
-pub use systems::{conditions, from_columns, refined};
+pub use systems::refined;
 
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![vectors::angles(), systems::experiment()]

@@ -3,7 +3,6 @@
 #![doc(hidden)]
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
-pub mod condition;
 pub mod exact;
 mod experiments;
 mod extremes;
@@ -18,6 +17,5 @@ pub fn laboratory() -> Laboratory {
         stage: a02_math::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: None,
     }
 }

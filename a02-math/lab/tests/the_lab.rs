@@ -1,6 +1,5 @@
 //! The experiments and extreme cases of the laboratory, and its exact sums.
 
-use a02_lab::condition::{condition, condition_of_angle, three, unit};
 use a02_lab::exact::DoubleDouble;
 
 testing::check_lab! { a02_lab::laboratory() }
@@ -36,28 +35,4 @@ fn a_quotient_that_overflows_is_infinite() {
         let quotient = DoubleDouble::from(sign) / DoubleDouble::from(1e-310);
         assert_eq!(quotient.value(), expected);
     }
-}
-
-/// Closed forms: `3` for a cube; `(|a| + |b|) / |a - b|` for a difference; `2 |n| (1 - n²)` for a coordinate n
-/// of a vector of length 1; `2 x y / (x² + y²)` for the angle between x and (x, y).
-#[test]
-fn conditions_are_those_of_closed_forms() {
-    let is_near = |found: f64, exact: f64| {
-        assert!(
-            (found - exact).abs() <= 1e-9 * exact,
-            "{found}, not {exact}"
-        );
-    };
-    is_near(condition(&[1.7], |x| [x[0] * x[0] * x[0]]), 3.0);
-    let near = 1.0 + 1e-12;
-    is_near(
-        condition(&[near, 1.0], |x| [x[0] - x[1]]),
-        (near + 1.0) / (near - 1.0),
-    );
-    let of_unit = condition(&[1.0, 2.0, 2.0], |x| unit(three(x, 0)));
-    is_near(of_unit, 2.0 * (1.0 - 4.0 / 9.0));
-    let angle = 1e-5_f64;
-    let (x, y) = (libm::cos(angle), libm::sin(angle));
-    let of_angle = condition_of_angle([1.0, 0.0, 0.0], [x, y, 0.0], angle);
-    is_near(of_angle, 2.0 * x * y / angle);
 }

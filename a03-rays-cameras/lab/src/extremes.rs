@@ -106,15 +106,15 @@ fn samples() -> Vec<Case> {
     let bytes = [205, 205, 205, 204];
     vec![
         Case {
-            id: "Q01",
+            id: "Q01".into(),
             what: "one stratified sample: places in the pixel".into(),
             exact: Number(1.0),
-            condition: Without("a count"),
+            condition: Without("a count".into()),
             ours: places_in_the_pixel().into(),
             ..Case::default()
         },
         Case {
-            id: "Q02",
+            id: "Q02".into(),
             what: "a white scene with 2, 3 and 5 samples, divided by the number asked for".into(),
             exact: Triple([1.0; 3]),
             condition: Known(1.0),
@@ -122,7 +122,7 @@ fn samples() -> Vec<Case> {
             ..Case::of([2, 3, 5].map(white), [2, 3, 5].map(protocols_white))
         },
         Case {
-            id: "Q03",
+            id: "Q03".into(),
             what: "a white scene with 0 samples, taken as 1".into(),
             exact: Number(1.0),
             condition: Known(1.0),
@@ -130,22 +130,22 @@ fn samples() -> Vec<Case> {
             ..Case::of(white(0), protocols_white(0))
         },
         Case {
-            id: "Q04",
+            id: "Q04".into(),
             what: "pixels that a regular grid of one sample changes".into(),
             exact: Number(0.0),
             ours: changed_by_a_grid().into(),
             ..Case::default()
         },
         Case {
-            id: "Q09",
+            id: "Q09".into(),
             what: "the greatest random number, 1 - 2^-53, against 32 bits of it".into(),
             exact: Number(GREATEST_BELOW_1),
-            condition: Without("no number is given"),
+            condition: Without("no number is given".into()),
             protocol: Fails,
             ..Case::of(greatest, f64::from(greatest as f32))
         },
         Case {
-            id: "Q10",
+            id: "Q10".into(),
             what: "a picture of 65536x65536: pixels in 32 bits".into(),
             exact: Refused,
             protocol: Fails,
@@ -155,7 +155,7 @@ fn samples() -> Vec<Case> {
             )
         },
         Case {
-            id: "Q07",
+            id: "Q07".into(),
             what: format!("coverage of 64x64 pixels by a disc of radius {RADIUS}, summed up"),
             exact: Number(1_294.618_916_617_818),
             // The area grows with the square of the radius.
@@ -165,7 +165,7 @@ fn samples() -> Vec<Case> {
             ..Case::default()
         },
         Case {
-            id: "Q08",
+            id: "Q08".into(),
             what: "the mean of a million samples of 0.1, as a pixel sums them".into(),
             exact: Number(0.1),
             condition: Known(1.0),
@@ -174,7 +174,7 @@ fn samples() -> Vec<Case> {
             ..Case::default()
         },
         Case {
-            id: "Q12",
+            id: "Q12".into(),
             what: "the same by the plain sum, and by Neumaier's".into(),
             exact: Number(0.1),
             condition: Known(1.0),
@@ -183,7 +183,7 @@ fn samples() -> Vec<Case> {
             ..Case::of(neumaier(tenths) / f64::from(MILLION), plain)
         },
         Case {
-            id: "Q13",
+            id: "Q13".into(),
             what: "the byte of the samples 205, 205, 205 and 204, averaged as whole numbers".into(),
             exact: Number(204.75),
             condition: Known(1.0),

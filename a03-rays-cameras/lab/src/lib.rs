@@ -6,8 +6,6 @@
 mod experiments;
 mod extremes;
 pub mod protocol;
-pub mod quantity;
-pub mod search;
 
 use measure::Laboratory;
 
@@ -18,6 +16,5 @@ pub fn laboratory() -> Laboratory {
         stage: a03_rays_cameras::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: Some(search::search),
     }
 }

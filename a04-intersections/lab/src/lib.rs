@@ -4,10 +4,8 @@
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub mod aimed_box;
-pub mod certified;
 pub mod closed_mesh;
 pub mod condition;
-pub mod enclosure;
 pub mod exact;
 pub mod experiments;
 mod extremes;
@@ -16,10 +14,8 @@ pub mod line;
 pub mod mesh;
 pub mod number;
 pub mod protocol;
-pub mod random_rounding;
 pub mod random_scene;
 pub mod rows;
-pub mod search;
 pub mod subject;
 pub mod support;
 
@@ -32,6 +28,5 @@ pub fn laboratory() -> Laboratory {
         stage: a04_intersections::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: Some(search::search),
     }
 }

@@ -1,12 +1,10 @@
 //! `Number`: one formula over several types of numbers.
 //!
 //! A formula stands here once. In `f64` and `f32` its rounding errors are measured; in
-//! [`DoubleDouble`], with about 31 digits, it gives the exact value that they are measured against;
-//! and in [`Enclosure`], an interval, it proves a decision.
+//! [`DoubleDouble`], with about 31 digits, it gives the exact value that they are measured against.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::enclosure::Enclosure;
 use crate::exact::DoubleDouble;
 
 /// Three coordinates.
@@ -100,16 +98,6 @@ impl Real for f64 {
 }
 
 impl Number for DoubleDouble {
-    fn of(number: f64) -> Self {
-        number.into()
-    }
-
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-}
-
-impl Number for Enclosure {
     fn of(number: f64) -> Self {
         number.into()
     }

@@ -12,7 +12,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-1", scene_1, ([0.0, -1.0, 0.0], [0.0, 1.0, 0.0])),
         remark: Some(|new: &Code| {
-            search("plane", &|x: &[f64]| {
+            corpus("plane", &|x: &[f64]| {
                 new(([x[0], x[1], x[2]], [x[3], x[4], x[5]]))
             })
         }),

@@ -10,7 +10,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-2", scene_2, ([0.0, 0.0, -3.0], 0.5)),
-        remark: Some(|new: &Code| search("sphere", &|x: &[f64]| new(([x[0], x[1], x[2]], x[3])))),
+        remark: Some(|new: &Code| corpus("sphere", &|x: &[f64]| new(([x[0], x[1], x[2]], x[3])))),
         right: vec![Other::new(
             "the textbook's discriminant",
             textbook(both_roots, first),

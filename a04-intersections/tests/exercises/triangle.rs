@@ -13,7 +13,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-4", scene_4, corners),
         remark: Some(|new: &Code| {
-            search("triangle", &|x: &[f64]| {
+            corpus("triangle", &|x: &[f64]| {
                 new([0, 3, 6].map(|i| [x[i], x[i + 1], x[i + 2]]))
             })
         }),

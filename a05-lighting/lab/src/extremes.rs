@@ -1,14 +1,38 @@
-//! The stiff and extreme cases of this stage: far lights, lights inside of objects, lights
-//! without a position; points at the edge of a cone, on its axis, and behind the light;
-//! colours by the protocol's printed formulas; powers for exponents from 0 to overflow.
+//! The stiff and extreme cases of this stage: the rows of `cases.toml`, such as far lights, points at the edge of a
+//! cone, and powers from 0 to overflow; and here counts over many rays, and colours by formulas of their own.
 
 mod lights;
 mod materials;
 mod spots;
 
+use a02_math::arrays::vector;
 use measure::Effort;
-use measure::extremes::Case;
+use measure::extremes::{Case, Row, rows};
+
+use crate::protocol;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [spots::cases(effort), lights::cases(), materials::cases()].concat()
+    [
+        rows(include_str!("../cases.toml"), computed),
+        spots::cases(effort),
+        lights::cases(),
+        materials::cases(),
+    ]
+    .concat()
+}
+
+/// What a row asks, by our code and by the protocol's formula.
+fn computed(row: &Row) -> Case {
+    match row.asks.as_str() {
+        "spot" => spots::lights(row.triple(0), row.number(3), row.triple(4)),
+        "angle by the cosine" => {
+            let [a, b] = [0, 3].map(|index| vector(row.triple(index)));
+            Case::of(a.angle(b), protocol::angle(a, b))
+        }
+        "highlight" => materials::power(row.number(0), row.number(1)),
+        "lamp" => lights::under_a_lamp(row.number(0)),
+        "lamp in a sphere" => lights::from_height(row.number(0)),
+        "sun" => lights::in_the_sun(row.triple(0), row.number(3), row.number(4)),
+        _ => Row::unknown(),
+    }
 }

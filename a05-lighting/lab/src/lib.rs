@@ -6,7 +6,6 @@
 mod experiments;
 mod extremes;
 pub mod protocol;
-pub mod search;
 
 use measure::Laboratory;
 
@@ -17,6 +16,5 @@ pub fn laboratory() -> Laboratory {
         stage: a05_lighting::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: Some(search::search),
     }
 }

@@ -1,6 +1,5 @@
 //! Error against run time for mirrors and shadows.
 
-mod pixel_rounding;
 mod recursion_depth;
 pub mod secondary_rays;
 mod shadow_terminator;
@@ -11,6 +10,5 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     let mut all = vec![recursion_depth::experiment()];
     all.extend(secondary_rays::experiments());
     all.push(shadow_terminator::experiment());
-    all.push(pixel_rounding::experiment());
     all
 }

@@ -1,13 +1,30 @@
-//! The stiff and extreme cases of this stage: self-hits, shadows, and the light between two
-//! mirrors that face each other.
+//! The stiff and extreme cases of this stage: the rows of `cases.toml`, such as the light between two mirrors; and
+//! here counts over many points, and worlds.
 
 mod between_mirrors;
 mod shadows;
 mod slope;
 
 use measure::Effort;
-use measure::extremes::Case;
+use measure::extremes::{Case, Row, rows};
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [shadows::cases(effort), between_mirrors::cases()].concat()
+    let mut cases = rows(include_str!("../cases.toml"), computed);
+    cases.extend(shadows::many_points(effort));
+    cases.push(between_mirrors::reflected_a_million_times());
+    cases
+}
+
+/// What a row asks, by our code and by the protocol's formula.
+fn computed(row: &Row) -> Case {
+    if let Some(question) = &row.ray {
+        return shadows::under_a_ball_in_a_row(row, question);
+    }
+    match row.asks.as_str() {
+        "mirrors" | "mirrors, ours" | "searches" | "lights" => between_mirrors::computed(row),
+        "lamp above" => shadows::under_a_light(row.number(0)),
+        "lamp" => shadows::under_a_light_at(row.triple(0)),
+        "shadow rays" => shadows::rays_to_a_light_at(row.triple(0)),
+        _ => Row::unknown(),
+    }
 }

@@ -2,11 +2,12 @@
 
 use a02_math::arrays::array;
 use a02_math::{Direction, Point3, Vector3};
-use a04_lab::enclosure::Enclosure;
 use a04_lab::formula::{aligned_box, plane, sphere, triangle};
 use a04_lab::line::Line;
 use a04_lab::number::Real;
 use a04_lab::support::{Triple, point, vector};
+
+use crate::enclosure::Enclosure;
 
 /// The numbers of a shape of this stage.
 #[derive(Clone, Copy, Debug)]

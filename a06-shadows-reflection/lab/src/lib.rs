@@ -4,7 +4,7 @@
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub mod coarse_ball;
-pub mod digits;
+mod enclosure;
 pub mod experiments;
 mod extremes;
 pub mod form;
@@ -24,6 +24,5 @@ pub fn laboratory() -> Laboratory {
         stage: a06_shadows_reflection::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: None,
     }
 }

@@ -3,13 +3,10 @@
 use a02_math::arrays::array;
 use a02_math::{Normal3, Point3, Vector3};
 use a04_lab::line::line;
-use a06_lab::digits::{self, OFFSET, error, lines, spread};
 use a06_lab::form::{Form, OnSurface};
 use a06_lab::lit_points::{Look, Trial, trials};
 use a06_lab::policy::{Policy, Test, error_bounds, relative_to_t, single, stepped};
 use a06_lab::surface::{Surface, plane, sphere};
-use a06_shadows_reflection::{RecursiveTracer, scenes};
-use common::{Color, Size};
 
 testing::check_lab! { a06_lab::laboratory() }
 
@@ -120,31 +117,4 @@ fn hits_at_the_origin_are_not_certain() {
     assert!(form.is_certainly_hit(&at(1.0)));
     assert!(!form.is_certainly_hit(&at(-1.0)));
     assert!(!form.is_certainly_hit(&at(0.0)));
-}
-
-/// In doubles, the tracer over types of numbers is the lesson's, to the last bit.
-#[test]
-fn the_tracer_of_numbers_gives_the_colors_of_the_lesson() {
-    let world = scenes::sphere().unwrap().world;
-    for line in lines(Size::new(48, 36).unwrap()).unwrap() {
-        for depth in [1, 2, 6] {
-            let lesson = RecursiveTracer::new(&world).trace(&line.raw_ray(), depth);
-            let [r, g, b] = digits::color::<f64>(&line, depth, OFFSET);
-            assert_eq!(Color::new(r, g, b), lesson, "{line:?}");
-        }
-    }
-}
-
-/// The true error is greater than the difference of the runs in fewer than one of a hundred pixels.
-#[test]
-fn random_rounding_tells_how_exact_a_pixel_is() {
-    let lines = lines(Size::new(64, 48).unwrap()).unwrap();
-    let (mut estimated, mut exceeded) = (0, 0);
-    for (n, line) in (0..).zip(&lines) {
-        let (spread, error) = (spread(line, 6, n), error(line, 6, OFFSET));
-        estimated += usize::from(spread > 0.0);
-        exceeded += usize::from(error > spread);
-    }
-    assert!(estimated > lines.len() / 2, "{estimated}");
-    assert!(exceeded * 100 < lines.len(), "{exceeded}");
 }

@@ -1,17 +1,33 @@
-//! The stiff and extreme cases of this stage: transforms, nodes and discs.
+//! The stiff and extreme cases of this stage: the rows of `cases.toml`, such as balls under transforms; and here
+//! counts over many rays, and nodes of several objects.
 
 mod discs;
 pub mod matrices;
 mod nodes;
 
+use corpus::Shape;
 use measure::Effort;
-use measure::extremes::Case;
+use measure::extremes::{Case, Row, rows};
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [
-        discs::cases(effort),
-        matrices::cases(),
-        nodes::cases(effort),
-    ]
-    .concat()
+    let mut cases = rows(include_str!("../cases.toml"), computed);
+    cases.push(discs::left(effort));
+    cases.extend(matrices::cases());
+    cases.extend(nodes::cases(effort));
+    cases
+}
+
+/// What a row asks, by our code and by the protocol's formula.
+fn computed(row: &Row) -> Case {
+    let Some(question) = &row.ray else {
+        return match row.asks.as_str() {
+            "two balls" => nodes::nearer_child(row.number(0), row.number(1)),
+            _ => matrices::computed(row),
+        };
+    };
+    match (row.asks.as_str(), &question.shape) {
+        ("normal", _) => nodes::of_normal(row, question),
+        (_, Shape::Disc { .. }) => discs::met(row, question),
+        _ => nodes::of_ellipsoid(question),
+    }
 }

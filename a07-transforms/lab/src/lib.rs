@@ -4,11 +4,9 @@
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub mod asked;
-pub mod certified;
 pub mod experiments;
 mod extremes;
 pub mod protocol;
-pub mod search;
 
 use measure::Laboratory;
 
@@ -19,6 +17,5 @@ pub fn laboratory() -> Laboratory {
         stage: a07_transforms::stage(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
-        search: Some(search::search),
     }
 }

@@ -107,8 +107,6 @@ pub enum Answer {
     Miss,
     /// The ray lies in the plane of a flat shape and meets it, so that there is no single `t`.
     Coplanar,
-    /// The numbers are no shape or no ray: one is not finite, or a size, an area or a direction is 0.
-    NoShape,
 }
 
 /// The nearest hit within the interval.

@@ -35,7 +35,6 @@ fn run() -> Result<String, String> {
                 Answer::Hit(hit) => hit.digits.as_str(),
                 Answer::Miss => "miss",
                 Answer::Coplanar => "coplanar",
-                Answer::NoShape => "no shape",
             };
             let found = judged.found.map_or("miss".to_owned(), |t| format!("{t:?}"));
             let question = &judged.case.question;

@@ -3,7 +3,6 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::row::{Asks, Bound, Distance, Expected, Outlook, Row};
 use crate::{Answer, Case, Hit, Question, Shape, Step};
 
 /// What is wrong in a file of cases.
@@ -30,14 +29,9 @@ pub fn read(text: &str) -> Result<Vec<Case>, Mistake> {
     read_each(text, |fields| fields.case())
 }
 
-/// Reads the rows of the laboratories.
-#[allow(clippy::redundant_closure_for_method_calls)]
-pub fn read_rows(text: &str) -> Result<Vec<Row>, Mistake> {
-    read_each(text, |fields| fields.row())
-}
-
-/// `read` is a closure where it is called, because the name of a method would have the lifetime of one table.
-fn read_each<T>(
+/// Reads each table `[[case]]` of a file by a function.
+// It is a closure where it is called, because the name of a method would have the lifetime of one table.
+pub fn read_each<T>(
     text: &str,
     read: impl Fn(&Fields) -> Result<T, Mistake>,
 ) -> Result<Vec<T>, Mistake> {
@@ -57,17 +51,21 @@ fn read_each<T>(
 }
 
 /// The values of a table, and the case to which they belong.
-struct Fields<'a> {
+pub struct Fields<'a> {
     table: Option<&'a DeTable<'a>>,
     case: String,
 }
 
 impl Fields<'_> {
-    fn value(&self, key: &str) -> Option<&DeValue<'_>> {
+    /// The value of a key, if it is there.
+    #[must_use]
+    pub fn value(&self, key: &str) -> Option<&DeValue<'_>> {
         Some(self.table?.get(key)?.get_ref())
     }
 
-    fn mistake(&self, key: &str, form: &'static str) -> Mistake {
+    /// Says that a key should be of a form.
+    #[must_use]
+    pub fn mistake(&self, key: &str, form: &'static str) -> Mistake {
         Mistake::Value {
             case: self.case.clone(),
             key: key.to_owned(),
@@ -75,25 +73,29 @@ impl Fields<'_> {
         }
     }
 
-    fn text(&self, key: &str) -> Result<String, Mistake> {
+    /// A text.
+    pub fn text(&self, key: &str) -> Result<String, Mistake> {
         let text = self.value(key).and_then(DeValue::as_str);
         text.map(str::to_owned)
             .ok_or_else(|| self.mistake(key, "a text"))
     }
 
-    fn number(&self, key: &str) -> Result<f64, Mistake> {
+    /// A number.
+    pub fn number(&self, key: &str) -> Result<f64, Mistake> {
         let number = self.value(key).and_then(number);
         number.ok_or_else(|| self.mistake(key, "a number"))
     }
 
-    fn numbers<const N: usize>(&self, key: &str) -> Result<[f64; N], Mistake> {
+    /// As many numbers in brackets as an array or a vector holds.
+    pub fn numbers<A: TryFrom<Vec<f64>>>(&self, key: &str) -> Result<A, Mistake> {
         let numbers = self.value(key).and_then(numbers);
         let numbers = numbers.and_then(|numbers| numbers.try_into().ok());
         numbers.ok_or_else(|| self.mistake(key, "as many numbers in brackets as it has"))
     }
 
     /// The table of this key, whose values belong to the same case.
-    fn inner(&self, key: &str) -> Option<Fields<'_>> {
+    #[must_use]
+    pub fn inner(&self, key: &str) -> Option<Fields<'_>> {
         Some(Fields {
             table: Some(self.value(key)?.as_table()?),
             case: self.case.clone(),
@@ -113,105 +115,25 @@ impl Fields<'_> {
         })
     }
 
-    fn question(&self) -> Result<Question, Mistake> {
+    /// The ray and the shape of a case. A row of a laboratory has no family and no source.
+    pub fn question(&self) -> Result<Question, Mistake> {
         let ray = self
             .inner("ray")
             .ok_or_else(|| self.mistake("ray", "a table"))?;
         Ok(Question {
             id: self.text("id")?,
-            family: self.text("family")?,
+            family: self.text("family").unwrap_or_default(),
             says: self.text("says")?,
-            source: self.text("source")?,
+            source: self.text("source").unwrap_or_default(),
             shape: self.shape()?,
             under: self.under()?,
             origin: ray.numbers("origin")?,
             direction: ray.numbers("direction")?,
-            within: self.numbers("within")?,
+            within: match self.value("within") {
+                Some(_) => self.numbers("within")?,
+                None => [0.0, f64::INFINITY],
+            },
         })
-    }
-
-    fn row(&self) -> Result<Row, Mistake> {
-        let distance = match self.value("distance") {
-            Some(_) => {
-                let digits = self.text("distance")?;
-                let value = digits.parse().ok();
-                Some(Distance {
-                    value: value.ok_or_else(|| self.mistake("distance", "a number in quotes"))?,
-                    digits,
-                })
-            }
-            None => None,
-        };
-        Ok(Row {
-            case: self.case()?,
-            distance,
-            expected: self.expected()?,
-        })
-    }
-
-    fn expected(&self) -> Result<Expected, Mistake> {
-        Ok(Expected {
-            asks: self
-                .one_of(
-                    "asks",
-                    "one of distance, as-given, t, normal, is-lit",
-                    &[
-                        ("distance", Asks::Distance),
-                        ("as-given", Asks::AsGiven),
-                        ("t", Asks::T),
-                        ("normal", Asks::Normal),
-                        ("is-lit", Asks::IsLit),
-                    ],
-                )?
-                .unwrap_or_default(),
-            bound: self.bound()?,
-            protocol: self.one_of(
-                "protocol",
-                "holds or fails",
-                &[("holds", Outlook::Holds), ("fails", Outlook::Fails)],
-            )?,
-            is_refused: self
-                .one_of("lesson", "refuses", &[("refuses", true)])?
-                .unwrap_or_default(),
-        })
-    }
-
-    fn bound(&self) -> Result<Bound, Mistake> {
-        let Some(bound) = self.inner("bound") else {
-            return match self.value("bound") {
-                Some(_) => Err(self.mistake("bound", "a table")),
-                None => Ok(Bound::Equal),
-            };
-        };
-        if bound.value("ulps").is_some() {
-            return Ok(Bound::Ulps(bound.number("ulps")?));
-        }
-        if bound.value("conditions").is_some() {
-            return Ok(Bound::Conditions(bound.number("conditions")?));
-        }
-        Ok(Bound::Roundings {
-            length: bound.number("length")?,
-            cosine: bound.number("cosine")?,
-        })
-    }
-
-    /// The value that a word stands for, if the key is there.
-    fn one_of<T: Copy>(
-        &self,
-        key: &str,
-        form: &'static str,
-        words: &[(&str, T)],
-    ) -> Result<Option<T>, Mistake> {
-        if self.value(key).is_none() {
-            return Ok(None);
-        }
-        let found = self.text(key)?;
-        for (word, value) in words {
-            if *word == found {
-                return Ok(Some(*value));
-            }
-        }
-        Err(self.mistake(key, form))
     }
 
     fn shape(&self) -> Result<Shape, Mistake> {
@@ -282,7 +204,6 @@ impl Fields<'_> {
         match self.text("answer")?.as_str() {
             "miss" => Ok(Answer::Miss),
             "coplanar" => Ok(Answer::Coplanar),
-            "none" => Ok(Answer::NoShape),
             "hit" => {
                 let digits = self.text("t")?;
                 let t = digits.parse().ok();
@@ -296,7 +217,7 @@ impl Fields<'_> {
                     normal,
                 }))
             }
-            _ => Err(self.mistake("answer", "one of hit, miss, coplanar, none")),
+            _ => Err(self.mistake("answer", "one of hit, miss, coplanar")),
         }
     }
 

@@ -46,7 +46,7 @@ impl Verdict {
 pub fn judge(case: &Case, found: Found, unit: f64) -> Verdict {
     let is_hit = match case.answer {
         Answer::Hit(_) => Some(true),
-        Answer::Miss | Answer::NoShape => Some(false),
+        Answer::Miss => Some(false),
         // Neither a hit nor a miss contradicts infinitely many hits.
         Answer::Coplanar => None,
     };

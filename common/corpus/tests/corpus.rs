@@ -2,10 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use corpus::{
-    Answer, Asks, CASES, Case, DOUBLE, LABORATORY, Outlook, SINGLE, SINGLE_CASES, Tally, Verdict,
-    judge, read, read_rows, rows,
-};
+use corpus::{Answer, CASES, Case, DOUBLE, SINGLE, SINGLE_CASES, Tally, Verdict, judge, read};
 
 fn case(id: &str) -> Case {
     let cases = read(CASES).unwrap();
@@ -30,33 +27,6 @@ fn each_case_has_a_name_of_its_own_a_source_and_an_exact_answer() {
     for case in read(SINGLE_CASES).unwrap() {
         assert!(ids.contains(&case.question.id), "{}", case.question.id);
     }
-}
-
-/// The rows of the laboratories have names of their own, an exact answer unless there is no shape, and words
-/// from which a row of the table is made.
-#[test]
-fn each_row_of_a_laboratory_says_what_it_expects() {
-    let all = read_rows(LABORATORY).unwrap();
-    let ids: BTreeSet<_> = all.iter().map(|row| &row.case.question.id).collect();
-    assert_eq!(ids.len(), all.len());
-    assert!(all.len() >= 118, "{}", all.len());
-    for row in &all {
-        let question = &row.case.question;
-        assert!(question.says.ends_with('.'), "{}", question.id);
-        let is_hit = matches!(row.case.answer, Answer::Hit(_));
-        assert_eq!(row.distance.is_some(), is_hit, "{}", question.id);
-        if row.case.answer == Answer::NoShape {
-            assert!(row.expected.is_refused, "{}", question.id);
-        }
-    }
-    let shadows = rows(&["shadow"]).unwrap();
-    assert_eq!(shadows.len(), 4);
-    assert!(shadows.iter().all(|row| row.expected.asks == Asks::IsLit));
-    let [far] = &rows(&["sphere"]).unwrap()[..1] else {
-        panic!()
-    };
-    assert_eq!(far.expected.protocol, Some(Outlook::Fails));
-    assert_eq!(far.distance.as_ref().unwrap().digits, "99999999");
 }
 
 fn verdict(decision: impl Into<Option<bool>>, value: impl Into<Option<bool>>) -> Verdict {

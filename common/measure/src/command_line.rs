@@ -33,10 +33,6 @@ enum Command {
     Extremes {
         /// Beginnings of ids, such as A or A01 [default: all]
         names: Vec<String>,
-
-        /// Search for the worst input of a shape's formulas, or of camera, light or transform, and print it in Rust
-        #[arg(long, value_name = "SHAPE", conflicts_with = "names")]
-        search: Option<String>,
     },
 }
 
@@ -68,9 +64,6 @@ fn execute(laboratory: &Laboratory, command: Command) -> Result<(), Error> {
             quick,
             output,
         } => report::report(laboratory, &names, quick, output),
-        Command::Extremes { names, search } => match search {
-            Some(shape) => extremes::show_worst(laboratory, &shape),
-            None => extremes::show_extremes(laboratory, &names),
-        },
+        Command::Extremes { names } => extremes::show_extremes(laboratory, &names),
     }
 }

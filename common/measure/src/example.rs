@@ -52,6 +52,5 @@ pub fn laboratory(scenes: Vec<Scene>) -> Laboratory {
         },
         experiments: Vec::new,
         extremes: |_| Vec::new(),
-        search: None,
     }
 }

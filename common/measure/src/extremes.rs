@@ -9,13 +9,15 @@ mod bound;
 mod case;
 mod condition;
 mod outcome;
+mod rows;
 mod table;
 
 pub use both::{Both, count_wrong};
 pub use bound::Bound::{self, Absolute, Equal, Ulps};
+pub use case::Case;
 pub use case::Protocol::{self, Fails, Holds};
-pub use case::{Case, Id};
 pub use condition::Condition::{self, Known, Without};
 pub use outcome::Outcome::{self, Flag, Nothing, Number, Refused, Triple};
 pub use outcome::{greatest, tried};
+pub use rows::{Row, rows};
 pub use table::{check, select};

@@ -125,7 +125,7 @@ fn errors(task: &Task, x: Vector3) -> [Deviation; 3] {
 /// The conditions of the unknowns: rounding the numbers of `M x = b` moves `x` by
 /// `|M⁻¹| (|M| |x| + |b|)` roundings (R. D. Skeel, Scaling for Numerical Stability in Gaussian
 /// Elimination, 1979).
-pub fn conditions(m: Mat3x3, b: Vector3, x: Vector3) -> [f64; 3] {
+fn conditions(m: Mat3x3, b: Vector3, x: Vector3) -> [f64; 3] {
     let rows = equations(m, b).map(|[x, y, z, _]| [x, y, z]);
     let m = DMat3::from_cols_array_2d(&rows).transpose();
     let x = x.to_glam().abs();
@@ -163,7 +163,7 @@ fn steep_columns(numbers: &mut WholeNumbers) -> [Vector3; 3] {
 }
 
 /// The matrix of these columns.
-pub fn from_columns(a: Vector3, b: Vector3, c: Vector3) -> Mat3x3 {
+fn from_columns(a: Vector3, b: Vector3, c: Vector3) -> Mat3x3 {
     let m = Mat3x3::IDENTITY;
     m.change_col_1(a).change_col_2(b).change_col_3(c)
 }

@@ -27,10 +27,10 @@ pub fn cases() -> Vec<Case> {
             wrong_rows(),
         ),
         Case {
-            id: "Q14",
+            id: "Q14".into(),
             what: "10 stripes, 480x270, full angle pi/2: stripes down the middle column".into(),
             exact: Number(10.0),
-            condition: Without("a count"),
+            condition: Without("a count".into()),
             protocol: Fails,
             ..Case::of(stripes.ours, stripes.theirs)
         },

@@ -113,7 +113,6 @@ fn in_words(case: &Case, found: Option<f64>) -> String {
         Answer::Hit(hit) => format!("t = {:?}", hit.t),
         Answer::Miss => "a miss".to_owned(),
         Answer::Coplanar => "in the plane".to_owned(),
-        Answer::NoShape => "no shape".to_owned(),
     };
     let question = &case.question;
     let source = match question.source.as_str() {

@@ -7,13 +7,11 @@ use std::sync::Arc;
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Triangle};
-use a04_lab::search::{INPUTS, SUBJECTS, Subject};
 use common::Error;
 use testing::exercises::{
     Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, random, searched,
 };
 
-use crate::corpus::corpus;
 use crate::rays::{self, Found, RAY, RayWithin, ray_within};
 
 /// A shape of any type.
@@ -344,17 +342,4 @@ fn within_faces() -> Vec<RayWithin> {
         }
     }
     within
-}
-
-/// A remark: the worst ray and shape for a formula, whose shape some numbers describe, and how it
-/// answers the corpus of ray failures.
-pub fn search(name: &str, new: &dyn Fn(&[f64]) -> Made<Shape>) -> Result<String, Error> {
-    let subject = Subject::named(&SUBJECTS, name)?;
-    let t = |x: &[f64], ray: &Ray| Some(new(x).ok()?.hit(ray, Interval::AHEAD)?.t);
-    // A learner waits for it.
-    let mut worst = subject.worst(&t, INPUTS / 10);
-    // At a border either answer is defensible.
-    worst.borders.clear();
-    let worst = subject.in_words("your formula", &worst);
-    Ok(format!("{worst}\n{}", corpus(name, new)?))
 }

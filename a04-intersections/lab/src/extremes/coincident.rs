@@ -77,7 +77,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     });
     vec![
         Case {
-            id: "S33",
+            id: "S33".into(),
             what: format!(
                 "a floor, and a box whose top lies in it, {count} rays: \
                  greatest difference of t, in t"
@@ -90,7 +90,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             ..Case::default()
         },
         Case {
-            id: "S34",
+            id: "S34".into(),
             what: "the same two: rounding decides, and some rays see the floor and some the box"
                 .into(),
             exact: Flag(true),
@@ -98,14 +98,14 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             ..Case::default()
         },
         Case {
-            id: "S35",
+            id: "S35".into(),
             what: format!("the same, the top 1e-9 lower, {count} rays: see the box"),
             exact: Number(0.0),
             ours: tried(|| seeing_the_box(-1e-9, &rays(count)?)),
             ..Case::default()
         },
         Case {
-            id: "S36",
+            id: "S36".into(),
             what: format!("the same box twice, {count} rays: see the second"),
             exact: Number(0.0),
             ours: tried(|| seeing_the_second_box(&rays(count)?)),

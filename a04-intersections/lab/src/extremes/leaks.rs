@@ -4,7 +4,7 @@ use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use common::Error;
 use measure::Effort;
-use measure::extremes::{Case, Fails, Holds, Id, Number, Protocol, tried};
+use measure::extremes::{Case, Fails, Holds, Number, Protocol, tried};
 
 use crate::aimed_box::{Aimed, LBF, OTHERS, RUN};
 use crate::closed_mesh::{Aim, ClosedMesh};
@@ -41,7 +41,7 @@ fn leaking(middle: Point3, aim: Aim, rays: usize, is_hit: IsHit) -> Result<usize
     Ok(leaking)
 }
 
-fn leaks(id: Id, middle: Point3, aim: Aim, rays: usize, protocol: Protocol) -> Case {
+fn leaks(id: &str, middle: Point3, aim: Aim, rays: usize, protocol: Protocol) -> Case {
     let place = if middle == FAR {
         " far from the origin"
     } else {
@@ -51,7 +51,7 @@ fn leaks(id: Id, middle: Point3, aim: Aim, rays: usize, protocol: Protocol) -> C
     let ours = leaking(middle, aim, rays, is_hit);
     let theirs = leaking(middle, aim, rays, is_hit_by_the_protocol);
     Case {
-        id,
+        id: id.to_owned(),
         what: format!("a closed mesh{place}, {rays} rays {at}: rays that get out"),
         exact: Number(0.0),
         protocol,
@@ -72,7 +72,7 @@ fn all_leaks(effort: Effort) -> Case {
         Ok(all)
     });
     Case {
-        id: "S05",
+        id: "S05".into(),
         what: format!(
             "closed meshes at three places, {} rays at corners and edges: rays that get out",
             9 * rays
@@ -85,7 +85,7 @@ fn all_leaks(effort: Effort) -> Case {
 
 /// A row for each formula of others: rays at a box that are lost, or hit it elsewhere.
 struct BoxRows {
-    ids: [Id; OTHERS.len()],
+    ids: [&'static str; OTHERS.len()],
     /// What the rays aim at, and how many faces meet there.
     aim: &'static str,
     faces: usize,
@@ -103,7 +103,7 @@ impl BoxRows {
         for (i, formula) in OTHERS.iter().enumerate() {
             let (aim, name) = (self.aim, formula.name);
             cases.push(Case {
-                id: self.ids[i],
+                id: self.ids[i].to_owned(),
                 what: format!("a box, {rays} rays at {aim}: lost or met elsewhere; {name}"),
                 exact: Number(0.0),
                 protocol: self.expected[i],

@@ -1,5 +1,5 @@
 //! Triangles whose area is rounding error, and what is interpolated in a triangle. Corners, edges, needles, and
-//! tiny and huge triangles are cases of the corpus.
+//! tiny and huge triangles are rows of `cases.toml`.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
@@ -66,7 +66,7 @@ pub fn cases() -> Vec<Case> {
             noise(),
         ),
         Case {
-            id: "D27",
+            id: "D27".into(),
             what: "three perpendicular normals: the length of their mean".into(),
             exact: Number(1.0),
             condition: Known(0.0),
@@ -75,11 +75,11 @@ pub fn cases() -> Vec<Case> {
             ..mean_of_normals()
         },
         Case {
-            id: "D28",
+            id: "D28".into(),
             what: "1000 points within a triangle: how many are met, β + γ being asked to be 1"
                 .into(),
             exact: Number(1000.0),
-            condition: Without("a count"),
+            condition: Without("a count".into()),
             protocol: Fails,
             ..points_within()
         },

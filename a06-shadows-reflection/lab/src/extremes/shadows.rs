@@ -5,15 +5,15 @@ use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS as SHAPES;
 use a04_intersections::{Plane, Sphere, World};
 use a04_lab::rows;
-use a04_lab::support::point;
+use a04_lab::support::{Triple, point};
 use a05_lighting::{
     DirectionalLight, Lambert, Light, PointLight, SpotLight, instruments::recorded,
 };
 use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
-use corpus::{Row, Shape};
+use corpus::{Question, Shape};
 use measure::Effort;
-use measure::extremes::{Both, Case, Fails, Holds, Known, Number, Outcome, tried};
+use measure::extremes::{Both, Case, Outcome, Row, tried};
 
 use super::slope::{Expected, Slope};
 use crate::protocol::{
@@ -23,9 +23,6 @@ use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld};
 
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 const DOWN: Vector3 = Vector3::new(0.0, -1.0, 0.0);
-/// The condition of a brightness, the reflectance times the sum of ambient light and light from straight
-/// above: 1 for the reflectance, and 1 for the lights.
-const OF_A_PRODUCT: f64 = 2.0;
 /// Position of the lights that a ball may hide.
 const LAMP: Point3 = Point3::new(0.0, 4.0, 0.0);
 /// A ray to the origin, past the objects above it.
@@ -51,15 +48,6 @@ fn above(height: f64) -> Point3 {
     Point3::new(0.0, height, 0.0)
 }
 
-pub fn cases(effort: Effort) -> Vec<Case> {
-    [
-        single_points(),
-        rows::cases(&["shadow"], of_corpus),
-        many_points(effort),
-    ]
-    .concat()
-}
-
 /// The brightness of the floor at the origin, seen from straight above, under a light.
 fn brightness(light: Point3) -> Outcome {
     tried(|| {
@@ -69,7 +57,7 @@ fn brightness(light: Point3) -> Outcome {
 }
 
 /// The same, and by the protocol.
-fn under_a_light(height: f64) -> Case {
+pub fn under_a_light(height: f64) -> Case {
     let theirs = 0.25 + lambert(UP, above(height), Point3::ORIGIN);
     Case::of(brightness(above(height)), theirs)
 }
@@ -84,69 +72,31 @@ fn shadow_rays(light: Point3) -> Outcome {
     })
 }
 
-fn single_points() -> Vec<Case> {
-    let in_the_floor = Point3::new(3.0, 0.0, 0.0);
-    let behind = above(-3.0);
-    vec![
-        Case {
-            id: "I01",
-            what: "light at the point itself: brightness below".into(),
-            exact: Number(0.25),
-            condition: Known(OF_A_PRODUCT),
-            protocol: Fails,
-            ..under_a_light(0.0)
-        },
-        Case {
-            id: "I02",
-            what: "light 1e-9 above the floor: brightness below".into(),
-            exact: Number(1.25),
-            condition: Known(OF_A_PRODUCT),
-            protocol: Holds,
-            ..under_a_light(1e-9)
-        },
-        Case {
-            id: "I03",
-            what: "light in the floor: brightness below".into(),
-            exact: Number(0.25),
-            condition: Known(OF_A_PRODUCT),
-            ours: brightness(in_the_floor),
-            ..Case::default()
-        },
-        Case {
-            id: "I04",
-            what: "light behind the floor: brightness below".into(),
-            exact: Number(0.25),
-            condition: Known(OF_A_PRODUCT),
-            ours: brightness(behind),
-            ..Case::default()
-        },
-        Case {
-            id: "I26",
-            what: "light in the floor: shadow rays".into(),
-            exact: Number(0.0),
-            ours: shadow_rays(in_the_floor),
-            ..Case::default()
-        },
-        Case {
-            id: "I14",
-            what: "light behind the floor: shadow rays".into(),
-            exact: Number(0.0),
-            ours: shadow_rays(behind),
-            ..Case::default()
-        },
-    ]
+/// The brightness of the floor under a light at a position, by our code alone.
+pub fn under_a_light_at(position: Triple) -> Case {
+    Case {
+        ours: brightness(point(position)),
+        ..Case::default()
+    }
+}
+
+/// How many shadow rays a light at a position costs.
+pub fn rays_to_a_light_at(position: Triple) -> Case {
+    Case {
+        ours: shadow_rays(point(position)),
+        ..Case::default()
+    }
 }
 
 /// The protocol's function of a light.
 type Illuminates = fn(Point3, Point3, &World<()>) -> bool;
 
-/// A case of the corpus, a shadow ray from the floor to a lamp: whether the lamp shines on the floor, with a
-/// ball at some height.
-fn of_corpus(row: &Row) -> Case {
-    let Shape::Sphere { center, radius } = row.case.question.shape else {
-        return Case::default();
+/// A shadow ray from the floor to a lamp: whether the lamp shines on the floor, with a ball at some height.
+pub fn under_a_ball_in_a_row(row: &Row, question: &Question) -> Case {
+    let Shape::Sphere { center, radius } = question.shape else {
+        return Row::unknown();
     };
-    let is_spot = ["I17", "I18"].contains(&row.case.question.id.as_str());
+    let is_spot = ["I17", "I18"].contains(&row.id.as_str());
     let (lit, illuminates): (_, Illuminates) = if is_spot {
         (lit_by_a_spot(), spot_light_illuminates)
     } else {
@@ -160,13 +110,13 @@ fn of_corpus(row: &Row) -> Case {
     let theirs = tried(|| {
         let floor = World::new(Color::BLACK)?.with(Plane::new(Point3::ORIGIN, UP)?, ());
         let world = floor.with(ball()?, ());
-        let shadow_ray = rows::line_of(row).raw_ray();
+        let shadow_ray = rows::line_of(question).raw_ray();
         Ok(illuminates(shadow_ray.at(1.0), shadow_ray.origin(), &world))
     });
     Case::of(ours, theirs)
 }
 
-fn many_points(effort: Effort) -> Vec<Case> {
+pub fn many_points(effort: Effort) -> Vec<Case> {
     let n = effort.choose(2_000, 20_000);
     vec![
         Case::of_wrong(

@@ -1,43 +1,51 @@
-//! Discs: their rims, their radii and grazing rays from the corpus, and rays that leave a disc.
+//! Discs: their rims, their radii and grazing rays from rows, and rays that leave a disc.
 
+use a02_math::arrays::{point, vector};
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval};
 use a04_lab::rows;
+use a04_lab::subject::{Subject, triple, unit_normal};
 use a04_lab::support::{Numbers, first};
 use a06_shadows_reflection::secondary_ray;
 use common::Error;
-use corpus::{Row, Shape};
+use corpus::{Question, Shape};
 use measure::Effort;
-use measure::extremes::{Both, Case, count_wrong};
+use measure::extremes::{Both, Case, Row, count_wrong};
 
 use crate::protocol;
-use crate::search::DISC;
 use a07_transforms::Disc;
 
-pub fn cases(effort: Effort) -> Vec<Case> {
+/// Its centre, its normal and its radius.
+const DISC: Subject = Subject {
+    make: |x| {
+        let normal = vector(triple(&x[3..])).as_normal();
+        Some(Box::new(Disc::new(point(triple(x)), normal, x[6]).ok()?))
+    },
+    protocol: |x, ray| protocol::disc(point(triple(x)), unit_normal(x), x[6], ray),
+};
+
+pub fn left(effort: Effort) -> Case {
     let count = effort.choose(2_000, 20_000);
-    let mut cases = rows::cases(&["disc"], of_corpus);
-    cases.push(Case::of_wrong(
+    Case::of_wrong(
         "B34",
         format!("disc, {count} rays that leave it: met again"),
         leaving(count),
-    ));
-    cases
+    )
 }
 
-/// A case of the corpus.
-fn of_corpus(row: &Row) -> Case {
+/// The nearest hit of a disc in a row.
+pub fn met(row: &Row, question: &Question) -> Case {
     let Shape::Disc {
         center,
         normal,
         radius,
-    } = row.case.question.shape
+    } = question.shape
     else {
-        return Case::default();
+        return Row::unknown();
     };
     let numbers = [&center[..], &normal, &[radius]].concat();
-    rows::met((&DISC, vec![numbers]), row)
+    rows::met((&DISC, vec![numbers]), row, question)
 }
 
 /// Rays that leave a disc on the side from which it was hit must not hit it again.

@@ -28,16 +28,6 @@ pub fn show_extremes(laboratory: &Laboratory, names: &[String]) -> Result<(), Er
     Ok(())
 }
 
-/// Prints the worst inputs of the formulas of a shape, or of another quantity of the stage.
-pub fn show_worst(laboratory: &Laboratory, shape: &str) -> Result<(), Error> {
-    let name = laboratory.stage.name;
-    let Some(search) = laboratory.search else {
-        let none = format!("{name} searches nothing; stages 3, 4, 5 and 7 do");
-        return Err(Error::Usage(none));
-    };
-    print(&search(shape)?)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -52,7 +42,7 @@ mod tests {
     fn cases() -> Vec<Case> {
         [("A01", 1.0), ("B01", 2.0), ("B02", 3.0), ("B03", 1.0)]
             .map(|(id, ours)| Case {
-                id,
+                id: id.to_owned(),
                 exact: Number(1.0),
                 ours: Number(ours),
                 ..Case::default()

@@ -5,9 +5,6 @@ use std::fmt;
 use super::bound::error;
 use super::{Both, Bound, Condition, Outcome};
 
-/// The name of a row: a letter for the subject and a number.
-pub type Id = &'static str;
-
 /// A row of the table: one quantity, computed by our code and by the protocol's formula, and
 /// compared with its exact value from elsewhere.
 ///
@@ -15,8 +12,8 @@ pub type Id = &'static str;
 /// formula.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Case {
-    /// Its name.
-    pub id: Id,
+    /// Its name: a letter for the subject and a number.
+    pub id: String,
     /// The quantity that is computed, and its arguments.
     pub what: String,
     /// The exact outcome, by a closed form or by arithmetic with more digits.
@@ -33,8 +30,6 @@ pub struct Case {
     /// The condition of the problem, or why there is none. A decision and an exact value of 0 need no
     /// word.
     pub condition: Condition,
-    /// The exact outcome by another arithmetic than the one of the row, unless it is left open.
-    pub certified: Option<Outcome>,
 }
 
 /// What is expected of the protocol's formula.
@@ -58,14 +53,14 @@ impl Case {
     }
 
     /// A row of the number of wrong results: ours has to be 0, and the protocol's not.
-    pub fn of_wrong<E>(id: Id, what: impl Into<String>, counts: Result<Both<usize>, E>) -> Self {
+    pub fn of_wrong<E>(id: &str, what: impl Into<String>, counts: Result<Both<usize>, E>) -> Self {
         let refused = Both {
             ours: Outcome::Refused,
             theirs: Outcome::Refused,
         };
         let outcomes = counts.map_or(refused, |counts| counts.map(Outcome::from));
         Self {
-            id,
+            id: id.to_owned(),
             what: what.into(),
             exact: Outcome::Number(0.0),
             bound: Bound::Equal,
@@ -75,9 +70,9 @@ impl Case {
     }
 
     /// Why the case has no condition.
-    fn without_condition(&self) -> Option<&'static str> {
+    fn without_condition(&self) -> Option<&str> {
         let numbers = self.exact.numbers();
-        match self.condition {
+        match &self.condition {
             Condition::Without(reason) => Some(reason),
             _ if numbers.is_empty() => Some("a decision"),
             _ if numbers.iter().all(|x| *x == 0.0) => Some("the exact value is 0"),
@@ -90,18 +85,14 @@ impl Case {
         matches!(self.condition, Condition::Known(_)) || self.without_condition().is_some()
     }
 
-    /// Whether our outcome is within the bound, and the protocol's is or is not, as
-    /// expected; and a certified outcome is the exact one.
+    /// Whether our outcome is within the bound, and the protocol's is or is not, as expected.
     pub fn holds(&self) -> bool {
         let is_right = self.bound.admits(self.exact, self.ours);
         let is_as_expected = self.theirs.is_none_or(|theirs| {
             let holds = self.bound.admits(self.exact, theirs);
             holds == (self.protocol == Protocol::Holds)
         });
-        let is_certified = self
-            .certified
-            .is_none_or(|certified| Bound::Ulps(1.0).admits(self.exact, certified));
-        is_right && is_as_expected && is_certified
+        is_right && is_as_expected
     }
 }
 
@@ -117,7 +108,7 @@ impl fmt::Display for Case {
             Bound::Equal
         };
         write!(f, "     exact     {exact}   (bound: {bound}")?;
-        match (self.condition, self.without_condition()) {
+        match (&self.condition, self.without_condition()) {
             (_, Some(reason)) => write!(f, "; no condition: {reason}")?,
             (Condition::Known(condition), None) => write!(f, "; condition: {condition:.1e}")?,
             (Condition::Without(_) | Condition::Unstated, None) => {}
@@ -130,9 +121,6 @@ impl fmt::Display for Case {
             };
             let error = error(exact, theirs);
             writeln!(f, "     protocol  {theirs}   error {error}{expected}")?;
-        }
-        if let Some(certified) = self.certified {
-            writeln!(f, "     certified {certified}")?;
         }
         write!(f, "     ours      {ours}   error {}", error(exact, ours))
     }
@@ -178,7 +166,7 @@ mod tests {
     #[test]
     fn the_protocol_must_fail_where_the_row_says_so() {
         let case = Case {
-            id: "A01",
+            id: "A01".into(),
             what: "one".into(),
             exact: Number(1.0),
             bound: Bound::Ulps(2.0),
@@ -195,14 +183,6 @@ mod tests {
         };
         assert!(holds(Fails, 2.0) && !holds(Fails, 1.0));
         assert!(holds(Holds, 1.0) && !holds(Holds, 2.0));
-        let is_certified = |exact| {
-            let case = Case {
-                certified: Some(Number(exact)),
-                ..case.clone()
-            };
-            case.holds()
-        };
-        assert!(is_certified(1.0) && !is_certified(1.1));
         let row = "A01  ok      one
      exact     1   (bound: 2 ulp; condition: 3.0e0)
      protocol  1.5   error 5.0e-1, out of bound
@@ -233,7 +213,7 @@ mod tests {
         assert_eq!(decision.as_deref(), Some("no condition: a decision)"));
         let zero = says(Number(0.0), Condition::Unstated);
         assert_eq!(zero.as_deref(), Some("no condition: the exact value is 0)"));
-        let count = says(Number(3.0), Condition::Without("a count"));
+        let count = says(Number(3.0), Condition::Without("a count".into()));
         assert_eq!(count.as_deref(), Some("no condition: a count)"));
         assert_eq!(says(Number(3.0), Condition::Unstated), None);
         assert!(!case(Number(3.0), Condition::Unstated).states_its_condition());

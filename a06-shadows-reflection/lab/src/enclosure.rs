@@ -1,4 +1,5 @@
-//! `Enclosure`: interval arithmetic with outward rounding, which proves what rounding leaves open.
+//! `Enclosure`: interval arithmetic with outward rounding, by which the policy of pbrt 4 tells whether a hit is
+//! certain.
 //!
 //! An end moves outwards only if the operation has rounded it the other way, so that results without rounding stay
 //! single numbers: an equality of such numbers is decided, too.
@@ -9,6 +10,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use a02_lab::exact::{RoundedSum, sum_with_error};
+use a04_lab::number::Number;
 
 /// All numbers from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,36 +58,9 @@ impl Enclosure {
         hull.unwrap_or(Self::EVERYTHING)
     }
 
-    /// The greater of two numbers, of which each lies in one of the enclosures.
-    #[must_use]
-    pub const fn max(self, other: Self) -> Self {
-        Self {
-            low: self.low.max(other.low),
-            high: self.high.max(other.high),
-        }
-    }
-
-    /// The smaller of two numbers, of which each lies in one of the enclosures.
-    #[must_use]
-    pub const fn min(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.min(other.high),
-        }
-    }
-
     /// Whether 0 is the only number.
     pub fn is_zero(self) -> bool {
         self.low == 0.0 && self.high == 0.0
-    }
-
-    /// The root of numbers that are not negative.
-    #[must_use]
-    pub fn sqrt(self) -> Self {
-        Self {
-            low: root(self.low.max(0.0)).below(),
-            high: root(self.high).above(),
-        }
     }
 }
 
@@ -181,6 +156,19 @@ fn quotient(a: f64, b: f64) -> Rounded {
 fn root(x: f64) -> Rounded {
     let root = x.sqrt();
     Rounded::new(root, (-root).mul_add(root, x), [x, root])
+}
+
+impl Number for Enclosure {
+    fn of(number: f64) -> Self {
+        number.into()
+    }
+
+    fn sqrt(self) -> Self {
+        Self {
+            low: root(self.low.max(0.0)).below(),
+            high: root(self.high).above(),
+        }
+    }
 }
 
 impl From<f64> for Enclosure {
