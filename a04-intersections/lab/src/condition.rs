@@ -33,16 +33,6 @@ pub fn of_sphere(center: &Triple, radius: f64, line: &Line, t: f64) -> f64 {
     of_surface(n, surface, line, t)
 }
 
-/// The condition at a hit of a plane, which its normal turns around its point.
-pub fn of_plane(point: &Triple, normal: Triple, line: &Line, t: f64) -> f64 {
-    let mut surface = [0.0; 3];
-    for axis in 0..3 {
-        let hit = line.origin[axis] + t * line.direction[axis];
-        surface[axis] = point[axis].abs() + (hit - point[axis]).abs();
-    }
-    of_surface(normal, surface, line, t)
-}
-
 /// The condition at a hit of a triangle, whose corners move it by their weights. Those of b and c
 /// are given.
 pub fn of_triangle(corners: &[Triple; 3], beta: f64, gamma: f64, line: &Line, t: f64) -> f64 {

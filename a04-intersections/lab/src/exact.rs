@@ -6,7 +6,6 @@
 
 pub use a02_lab::exact::DoubleDouble;
 
-use crate::formula;
 use crate::formula::sphere::{self, Shot};
 use crate::formula::triangle::{self, Meeting};
 use crate::line::Line;
@@ -30,12 +29,6 @@ pub fn sphere(shot: &Shot) -> SphereMeeting {
         distance: terms.beside.sqrt().value(),
         roots: is_hit.then(|| terms.plain_roots()),
     }
-}
-
-/// The `t` of a line at the plane through `point` that is perpendicular to `normal`.
-pub fn plane(point: &Triple, normal: &Triple, line: &Line) -> DoubleDouble {
-    let [point, normal] = [point, normal].map(|triple| triple.map(DoubleDouble::from));
-    formula::plane::t(&point, &normal, &line.to())
 }
 
 /// Where a line meets the plane of a triangle.

@@ -86,7 +86,7 @@ fn ids_are_unique_and_the_errata_name_existing_rows() {
     let named: Vec<_> = spans.filter(|span| is_row(span)).collect();
     assert!(named.len() > 50, "the page names its rows in code spans");
     for row in named {
-        assert!(ids.contains(*row), "there is no row {row}");
+        assert!(ids.contains(row), "there is no row {row}");
     }
 }
 

@@ -91,11 +91,14 @@ fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<
         return Err(Error::Usage(none));
     }
     let mut cargo = process::Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["run", "--manifest-path"]).arg(manifest);
+    cargo
+        .args(["run", "--quiet", "--manifest-path"])
+        .arg(manifest);
     if !cfg!(debug_assertions) {
         cargo.arg("--release");
     }
     cargo.args(["--", command]).args(&measured.arguments);
+    eprintln!("the laboratory is built first, if it has changed");
     let status = cargo.status().map_err(Error::Laboratory)?;
     let code = status.code().and_then(|code| u8::try_from(code).ok());
     Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))

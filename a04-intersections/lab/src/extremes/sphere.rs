@@ -13,7 +13,7 @@ use crate::experiments::sphere_distance::{Formula, at_ground, error, ours, shots
 use crate::formula::sphere::Shot;
 use crate::line::{Line, line};
 use crate::protocol::{self, Quadratic};
-use crate::support::{Triple, first, vector};
+use crate::support::{Triple, vector};
 use a04_intersections::{Geometry, Interval, Sphere, World};
 
 const ORIGIN: Triple = [0.0; 3];
