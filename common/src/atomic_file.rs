@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 #[cfg(unix)]
 use rustix::process::{Resource, getrlimit};
@@ -10,11 +10,13 @@ use tempfile::NamedTempFile;
 
 use crate::{Error, text};
 
-/// Writes a file of this name, and replaces an older one.
+/// Writes a file of this name, or that a link of this name leads to, and replaces an older one,
+/// whose permissions it gets.
 ///
 /// It is written under another name in the same folder and then renamed. So other
 /// programs always find the old file or the complete new one.
 pub fn write(path: &Path, content: &[u8]) -> Result<(), Error> {
+    let path = &target(path);
     let mut file = temporary_file(path)?;
     // Beyond its limit, Unix ends the process, and the temporary file would stay.
     #[cfg(unix)]
@@ -27,7 +29,12 @@ pub fn write(path: &Path, content: &[u8]) -> Result<(), Error> {
     let inner = file.as_file_mut();
     // Some file systems rename first and write later: without `sync_all`, a power
     // failure would leave an empty file where the old one was.
-    let written = inner.write_all(content).and_then(|()| inner.sync_all());
+    let written = inner.write_all(content).and_then(|()| {
+        if let Ok(old) = fs::metadata(path) {
+            inner.set_permissions(old.permissions())?;
+        }
+        inner.sync_all()
+    });
     written.map_err(|error| cannot_write(path, &error))?;
     let named = file.persist(path).map(drop);
     named.map_err(|error| cannot_write(path, &error.error))
@@ -36,7 +43,22 @@ pub fn write(path: &Path, content: &[u8]) -> Result<(), Error> {
 /// An error if a file cannot be written; for a check before there is anything to
 /// write. Leaves no file behind.
 pub fn check_writable(path: &Path) -> Result<(), Error> {
-    temporary_file(path).map(drop)
+    temporary_file(&target(path)).map(drop)
+}
+
+/// Most links that lead from one to the next, as on Linux.
+const MOST_LINKS: usize = 40;
+
+/// The file that a name leads to through links. It may be missing.
+fn target(path: &Path) -> PathBuf {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&target) {
+            Ok(next) => target = target.with_file_name(next),
+            Err(_) => break,
+        }
+    }
+    target
 }
 
 /// The error that `path` cannot be written, with a remedy.
@@ -131,5 +153,28 @@ mod tests {
         write(&file, b"new").unwrap();
         assert_eq!(fs::read(&file).unwrap(), b"new");
         assert_eq!(folder.path().read_dir().unwrap().count(), 2);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_and_a_file_keeps_its_permissions() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir(at("real")).unwrap();
+        symlink("real/new", at("to-new")).unwrap();
+        symlink("to-new", at("to-link")).unwrap();
+        for text in ["first", "second"] {
+            write(&at("to-link"), text.as_bytes()).unwrap();
+            assert_eq!(fs::read_to_string(at("real/new")).unwrap(), text);
+            assert!(at("to-link").is_symlink() && at("to-new").is_symlink());
+        }
+        for mode in [0o600, 0o666] {
+            fs::set_permissions(at("real/new"), fs::Permissions::from_mode(mode)).unwrap();
+            write(&at("to-new"), b"third").unwrap();
+            let kept = fs::metadata(at("real/new")).unwrap().permissions().mode();
+            assert_eq!(kept & 0o777, mode);
+        }
     }
 }

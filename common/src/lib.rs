@@ -13,6 +13,7 @@ mod color;
 pub mod difference;
 pub mod divergence;
 mod error;
+pub mod file;
 mod hash;
 mod image;
 mod median;

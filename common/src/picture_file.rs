@@ -1,22 +1,19 @@
 //! Opens picture files, and writes PNG files so that each is complete or absent.
 
-mod catch_quietly;
 mod jpeg;
-mod kind;
 
-use std::fs::File;
-use std::io::{self, Cursor, Read};
+use std::fmt::Display;
+use std::io::{self, Cursor};
 use std::path::Path;
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::metadata::Orientation;
 use image::{
-    DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageReader, Limits,
+    DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageFormat,
+    ImageReader, Limits,
 };
 
-use crate::{Color, Error, Image, Size, atomic_file};
-use catch_quietly::catch_quietly;
-use jpeg::Jpeg;
+use crate::{Color, Error, Image, Size, atomic_file, file};
 
 /// Longer files are not opened, because a file is read as a whole. The largest picture that
 /// opens, with 16 bits per channel, has half as many bytes.
@@ -26,107 +23,60 @@ const LONGEST_FILE: u64 = 1 << 30;
 /// the file and have a few megabytes at most.
 const MOST_BYTES_BESIDE_PIXELS: u64 = 1 << 24;
 
+const ENDS_TOO_EARLY: &str = "the file ends too early; it may be only half copied";
+
 /// Opens a PNG, JPEG or BMP file with any suffix. Colours are taken as they are
 /// stored, with 8 bits per channel; transparent pixels are blended with black.
 ///
 /// The size is checked before memory is allocated for the pixels.
 pub fn open(path: &Path) -> Result<Image, Error> {
-    if path.is_dir() {
-        return Err(cannot_open(path, "it is a folder, not a picture"));
-    }
-    let unread = |error: io::Error| match error.kind() {
-        io::ErrorKind::NotFound => cannot_open(path, "there is no such file"),
-        _ => cannot_open(path, error.to_string()),
-    };
-    let file = File::open(path).map_err(unread)?;
-    if file.metadata().is_ok_and(|data| data.len() > LONGEST_FILE) {
-        return Err(cannot_open(path, "it is longer than 1 GiB"));
-    }
-    let mut bytes = Vec::new();
-    let read = file.take(LONGEST_FILE).read_to_end(&mut bytes);
-    read.map_err(unread)?;
-    open_bytes(path, &bytes)
+    let bytes = file::read(Path::new(""), path, LONGEST_FILE);
+    open_bytes(path, &bytes.map_err(|reason| cannot_open(path, reason))?)
 }
 
 /// Like [`open`], for a picture file in memory, such as one that is part of the
 /// program. Errors call it `name`.
 pub fn open_bytes(name: &Path, bytes: &[u8]) -> Result<Image, Error> {
-    // The JPEG decoder panics on some damaged files.
-    let decoded = catch_quietly(|| decode(bytes));
-    let decoded = decoded.unwrap_or_else(|| Err("the file is damaged".to_owned()));
-    let (size, rgba) = decoded.map_err(|reason| cannot_open(name, reason))?;
+    let decoded = decode(bytes).map_err(|reason| cannot_open(name, reason))?;
+    let size = Size::new(decoded.width(), decoded.height())?;
     let mut image = Image::black(size)?;
-    for (pixel, rgba) in image.pixels_mut().iter_mut().zip(rgba.chunks_exact(4)) {
-        let opacity = f64::from(rgba[3]) / 255.0;
-        *pixel = Color::from_bytes([rgba[0], rgba[1], rgba[2]]) * opacity;
+    let rgba = decoded.into_rgba8();
+    for (pixel, rgba) in image.pixels_mut().iter_mut().zip(rgba.pixels()) {
+        let [red, green, blue, opacity] = rgba.0;
+        *pixel = Color::from_bytes([red, green, blue]) * (f64::from(opacity) / 255.0);
     }
     Ok(image)
 }
 
-fn cannot_open(path: &Path, reason: impl Into<String>) -> Error {
+fn cannot_open(path: &Path, reason: String) -> Error {
     Error::Open {
         path: path.to_owned(),
-        reason: reason.into(),
+        reason,
     }
 }
 
-const ENDS_TOO_EARLY: &str = "the file ends too early; it may be only half copied";
-
-/// The size and the bytes of red, green, blue and opacity of a picture. The error is a sentence.
-fn decode(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
-    if bytes.starts_with(&[0xFF, 0xD8, 0xFF]) {
-        return decode_jpeg(bytes);
-    }
-    if bytes.starts_with(b"BM")
-        && let Some(kind) = kind::unsupported_bmp(bytes)
-    {
-        return Err(kind::not_supported(&kind));
-    }
-    decode_known(bytes)
-}
-
-/// Like [`decode`]. A file that ends too early is an error, unless only its end mark is missing.
-fn decode_jpeg(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
-    let jpeg = Jpeg::read(bytes)?;
-    let decoded = match decode_stored(&jpeg.with_end(bytes)) {
-        Err(_) if !jpeg.has_end => return Err(ENDS_TOO_EARLY.to_owned()),
-        decoded => decoded?,
+/// The picture, rotated and mirrored as the file says. The error is a clause.
+fn decode(bytes: &[u8]) -> Result<DynamicImage, String> {
+    let format = image::guess_format(bytes).map_err(|_| "it is no PNG, JPEG or BMP picture")?;
+    let (mut picture, orientation) = match format {
+        ImageFormat::Jpeg => jpeg::decode(bytes)?,
+        ImageFormat::Png | ImageFormat::Bmp => decode_lossless(bytes, format)?,
+        other => {
+            let kind = other.to_mime_type();
+            return Err(format!(
+                "it is {kind}, and only PNG, JPEG and BMP pictures open"
+            ));
+        }
     };
-    let continued = decode_stored(&jpeg.continued());
-    let is_same = continued.is_ok_and(|other| other.pixels == decoded.pixels);
-    if is_same && jpeg.has_all_scans() {
-        decoded.into_rgba()
-    } else {
-        Err(ENDS_TOO_EARLY.to_owned())
-    }
+    picture.apply_orientation(orientation);
+    Ok(picture)
 }
 
-/// The picture of a file of a supported kind, as its decoder sees it.
-fn decode_known(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
-    decode_stored(bytes)?.into_rgba()
-}
-
-/// A picture with the channels of its file.
-struct Stored {
-    pixels: DynamicImage,
-    /// How the pixels are to be rotated and mirrored.
-    orientation: Orientation,
-}
-
-impl Stored {
-    fn into_rgba(mut self) -> Result<(Size, Vec<u8>), String> {
-        self.pixels.apply_orientation(self.orientation);
-        let size = Size::new(self.pixels.width(), self.pixels.height());
-        let size = size.map_err(|error| error.to_string())?;
-        Ok((size, self.pixels.into_rgba8().into_raw()))
-    }
-}
-
-fn decode_stored(bytes: &[u8]) -> Result<Stored, String> {
-    let explain = |error: ImageError| explain(&error, bytes);
-    let mut reader = ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|error| error.to_string())?;
+fn decode_lossless(
+    bytes: &[u8],
+    format: ImageFormat,
+) -> Result<(DynamicImage, Orientation), String> {
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::default();
     // The pixels have their own limit, the size of the picture.
     limits.max_alloc = Some(MOST_BYTES_BESIDE_PIXELS);
@@ -136,22 +86,28 @@ fn decode_stored(bytes: &[u8]) -> Result<Stored, String> {
     Size::new(width, height).map_err(|error| error.to_string())?;
     let orientation = decoder.orientation().map_err(explain)?;
     let pixels = DynamicImage::from_decoder(decoder).map_err(explain)?;
-    Ok(Stored {
-        pixels,
-        orientation,
-    })
+    Ok((pixels, orientation))
 }
 
-fn explain(error: &ImageError, bytes: &[u8]) -> String {
+fn explain(error: ImageError) -> String {
     match error {
-        ImageError::Unsupported(_) => kind::no_picture(bytes),
+        ImageError::Unsupported(error) => not_supported(error),
         ImageError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
             ENDS_TOO_EARLY.to_owned()
         }
-        ImageError::IoError(error) => error.to_string(),
         ImageError::Limits(_) => "it asks for more memory than the largest pictures take".into(),
-        error => format!("the file is damaged ({error})"),
+        error => refused(error),
     }
+}
+
+/// The clause about a picture of a kind that its decoder does not know.
+fn not_supported(kind: impl Display) -> String {
+    format!("it is of a kind that is not supported ({kind}); save it as PNG with another program")
+}
+
+/// The clause about a picture that its decoder refuses.
+fn refused(error: impl Display) -> String {
+    format!("its decoder refuses it ({error}); it may be damaged")
 }
 
 /// Writes a PNG file of red, green and blue bytes, row after row from the top. Other

@@ -1,5 +1,5 @@
 //! `text`: numbers, names and paths in messages, so that no message is long without need, and
-//! none moves the cursor of a terminal.
+//! none moves the cursor of a terminal; and the name that is nearest to a misspelt one.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -26,8 +26,8 @@ pub fn numbers(numbers: &[f64]) -> String {
     numbers.join(", ")
 }
 
-/// The text on one line, in which characters that a terminal would obey are seen: a newline as
-/// `\n`.
+/// The text on one line, in which characters that nobody sees, or that a terminal would obey, are
+/// seen: a newline as `\n`.
 #[must_use]
 pub fn visible(text: &str) -> String {
     escaped(text, |_| false)
@@ -82,11 +82,32 @@ pub fn path(path: &Path) -> String {
     visible(&shortened(&path.to_string_lossy(), LONGEST_PATH))
 }
 
+/// The known name that is most like a misspelt one, if one is like it. Capital letters and `_` do
+/// not count.
+#[must_use]
+pub fn nearest<'a>(known: &[&'a str], name: &str) -> Option<&'a str> {
+    let name = plain(name);
+    let mut nearest = None;
+    let mut best = 0.5;
+    for known in known {
+        let likeness = strsim::normalized_damerau_levenshtein(&plain(known), &name);
+        if likeness >= best {
+            (nearest, best) = (Some(*known), likeness);
+        }
+    }
+    nearest
+}
+
+/// A name without what does not count in a comparison: capital letters, `_` and outer spaces.
+#[must_use]
+pub fn plain(name: &str) -> String {
+    name.trim().to_lowercase().replace('_', "")
+}
+
 fn escaped(text: &str, is_kept: impl Fn(char) -> bool) -> String {
     let mut visible = String::new();
     for letter in text.chars() {
-        let is_obeyed = letter.is_control() || turns_letters(letter);
-        let _ = if is_obeyed && !is_kept(letter) {
+        let _ = if is_unseen(letter) && !is_kept(letter) {
             write!(visible, "{}", letter.escape_default())
         } else {
             write!(visible, "{letter}")
@@ -95,12 +116,16 @@ fn escaped(text: &str, is_kept: impl Fn(char) -> bool) -> String {
     visible
 }
 
-/// Whether a character has no look of its own, but changes lines or the order of letters.
-fn turns_letters(letter: char) -> bool {
-    matches!(
-        letter,
-        '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}' | '\u{FEFF}'
-    )
+/// Whether nobody sees a character, or sees it as a space: it moves the cursor, changes the order of
+/// letters, or has no width.
+#[must_use]
+pub fn is_unseen(letter: char) -> bool {
+    letter.is_control()
+        || matches!(
+            letter,
+            '\u{A0}' | '\u{AD}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202F}'
+                | '\u{2060}'..='\u{206F}' | '\u{FEFF}'
+        )
 }
 
 /// A text of at most this many letters, with … instead of its middle.

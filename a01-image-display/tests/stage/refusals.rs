@@ -97,7 +97,7 @@ fn pictures_that_cannot_be_opened_leave_no_file() {
     for (name, reason) in [
         ("missing.png", "there is no such file"),
         ("half.png", "the file ends too early"),
-        ("corrupt.png", "the file is damaged"),
+        ("corrupt.png", "its decoder refuses it ("),
     ] {
         // `show` reports this and not a missing display.
         let sentence = format!("error: cannot open {name}: {reason}");

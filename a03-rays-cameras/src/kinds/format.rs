@@ -1,12 +1,10 @@
 //! `Format`: how a stage reads scene files.
 
 use std::cell::{Cell, RefCell};
-use std::fs::File;
-use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use common::{Error, Sampling, Scene, Settings, Size, Transfer, text};
+use common::{Error, Sampling, Scene, Settings, Size, Transfer, file, text};
 use scene_file::{FirstMistake, Item, Mesh, Meshes, OwnTable, SceneFile};
 
 use crate::kinds::sensitivity::NumberedFile;
@@ -46,13 +44,13 @@ impl Format {
             path: path.to_owned(),
             reason,
         };
-        let bytes = read(path, MOST_BYTES[0]).map_err(cannot_open)?;
+        let bytes = file::read(Path::new(""), path, MOST_BYTES[0]).map_err(cannot_open)?;
         let text = text::from_file(bytes).map_err(cannot_open)?;
         let (files, triangles) = (RefCell::new(vec![path.to_owned()]), Cell::new(0));
+        let folder = path.parent().unwrap_or(path);
         let mesh = |name: &str| {
-            let mesh = path.with_file_name(name);
-            let bytes = read(&mesh, MOST_BYTES[1]);
-            files.borrow_mut().push(mesh);
+            let bytes = file::read(folder, name.as_ref(), MOST_BYTES[1]);
+            files.borrow_mut().push(folder.join(name));
             let mesh = Mesh::read(&bytes?)?;
             triangles.update(|before| before + mesh.triangles().count());
             Ok(mesh)
@@ -101,26 +99,6 @@ impl Format {
 fn at_place(name: &str, text: &str, mistake: &scene_file::Error) -> Error {
     let mistake = mistake.within(text);
     Error::SceneFile(text::visible(&format!("{name}:{mistake}")))
-}
-
-/// The bytes of a file. The error is a clause.
-fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes));
-    match read {
-        Ok(_) if bytes.len() as u64 > most => Err(format!("it has more than {most} bytes")),
-        Ok(_) => Ok(bytes),
-        Err(error) if error.kind() == ErrorKind::NotFound => {
-            let folder = std::path::absolute(path).unwrap_or_default();
-            let folder = folder.parent().unwrap_or(path);
-            Err(format!(
-                "there is no such file in the folder {}",
-                text::path(folder)
-            ))
-        }
-        Err(error) if error.kind() == ErrorKind::IsADirectory => Err("it is a folder".to_owned()),
-        Err(error) => Err(error.to_string()),
-    }
 }
 
 /// The settings of the table `picture`.

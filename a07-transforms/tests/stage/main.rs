@@ -17,6 +17,5 @@ mod node;
 mod own_shape;
 mod rows;
 mod scene_files;
-mod scene_keys;
 mod sensitivity;
 mod transform;

@@ -1,16 +1,20 @@
 //! A shape of one's own: one row gives it a table in scene files, and all renderers, the
 //! explanation and the export take it.
 
+use std::path::Path;
+
 use a02_math::Vector3;
+use a03_rays_cameras::Ray;
 use a03_rays_cameras::kinds::Format;
-use a03_rays_cameras::{Ray, View};
 use a04_intersections::kinds::{Content, SHAPES as SIMPLE, ShapeKind, ShapeRow, Shapes};
 use a04_intersections::{Geometry, Hit, Interval};
 use a06_shadows_reflection::kinds::read_view;
 use a06_shadows_reflection::traced_with;
 use a07_transforms::kinds::SHAPES as TRANSFORMED;
-use common::{Image, Renderer, Settings, Size};
+use common::Settings;
 use scene_file::{Error, Item, Key};
+
+use crate::scene_files::wrong_scenes;
 
 /// The part of the plane z = 0 between two points of a diagonal.
 #[derive(Debug)]
@@ -56,90 +60,22 @@ const FORMAT: Format = Format {
     view: |file| Ok(traced_with(read_view(file, KINDS)?, KINDS)),
 };
 
-/// A tile to the left, and one in a group, moved to the right.
-const FILE: &str = "[camera]
-eye = [0, 0, 4]
-gaze = [0, 0, -1]
-angle = 60
-
-[[tile]]
-corners = [[-1.5, -0.5], [-0.5, 0.5]]
-color = [1, 0, 0]
-
-[[group]]
-transform = [{ translate = [1, 0, 0] }]
-color = [0, 1, 0]
-
-[[group.tile]]
-corners = [[-0.5, -0.5], [0.5, 0.5]]
-";
-
-fn view(text: &str) -> Result<View, Error> {
-    (FORMAT.view)(&FORMAT.read(text, &|_| Err("no mesh".to_owned()))?)
-}
-
-fn settings(renderer: Renderer) -> Settings {
-    Settings {
-        size: Size::new(64, 48).unwrap(),
-        renderer,
-        ..Settings::default()
-    }
-}
-
-fn picture(text: &str, renderer: Renderer) -> Image {
-    let view = view(text).unwrap();
-    view.render(&settings(renderer), &()).unwrap()
-}
-
 #[test]
-fn all_renderers_draw_it_and_its_export_is_the_same() {
-    let lesson = picture(FILE, Renderer::Lesson);
-    let channels = |x| lesson.get(x, 24).unwrap().channels();
-    assert_eq!(channels(21), [1.0, 0.0, 0.0]);
-    assert_eq!(channels(32), [0.0; 3]);
-    assert_eq!(channels(42), [0.0, 1.0, 0.0]);
-    let export = view(FILE)
-        .unwrap()
-        .export("toml", &settings(Renderer::Lesson))
-        .unwrap();
-    assert!(
-        export.contains("[[tile]]\ncolor = [1, 0, 0]\ncorners = [[-1.5, -0.5], [-0.5, 0.5]]\n"),
-        "{export}"
-    );
-    for renderer in Renderer::ALL {
-        assert!(picture(FILE, renderer) == lesson, "{renderer:?}");
-        assert!(picture(&export, renderer) == lesson, "{renderer:?}");
-    }
+fn it_has_a_table_all_renderers_draw_it_and_its_export_is_the_same() {
+    let file = Path::new("tests/scenes/own-shape.txt");
+    assert_eq!(wrong_scenes(file, |path| FORMAT.open(path)), "");
 }
 
 #[test]
 fn a_pixel_names_it() {
-    let trace = view(FILE)
+    let text = "[camera]\neye = [0, 0, 4]\ngaze = [0, 0, -1]\nangle = 60\n[[tile]]\n\
+        corners = [[-1, -1], [1, 1]]\ncolor = \"red\"\n";
+    let file = FORMAT.read(text, &|_| Err("no mesh".to_owned())).unwrap();
+    let trace = (FORMAT.view)(&file)
         .unwrap()
-        .trace(&settings(Renderer::Lesson), [21, 24]);
+        .trace(&Settings::default(), [320, 240]);
     let mut steps = trace.steps.iter();
     let test = steps.find(|step| step.name == "object 1: Tile").unwrap();
     assert_eq!(test.outcome.to_string(), "hit");
     assert_eq!((test.number, test.section), (Some(1), SECTION));
-    // The camera is 4 before the tile: t is 4 divided by the cosine of the ray.
-    let [x, y, _] = trace.steps[1].value::<3>("d").unwrap();
-    let cosine = (1.0 - x * x - y * y).sqrt();
-    let [t] = test.value("t").unwrap();
-    assert!((t * cosine - 4.0).abs() < 1e-12, "{t}");
-}
-
-#[test]
-fn its_mistakes_are_refused_as_those_of_other_shapes() {
-    for (right, wrong, expected) in [
-        ("[[tile]]", "[[tilt]]", "; the nearest is tile"),
-        (
-            "corners = [[-1.5",
-            "corner = [[-1.5",
-            "; the nearest is corners",
-        ),
-        ("[-0.5, 0.5]]\ncolor", "-0.5]\ncolor", "corners must be"),
-    ] {
-        let error = view(&FILE.replacen(right, wrong, 1)).err().unwrap();
-        assert!(error.text.contains(expected), "{}", error.text);
-    }
 }

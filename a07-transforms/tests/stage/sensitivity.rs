@@ -3,7 +3,7 @@
 use common::sensitivity::{DependentPixels, Influence, Response};
 use common::{Error, Settings, Transfer};
 
-use super::scene_keys::open;
+use super::scene_files::open;
 
 /// A picture of one pixel, whose ray goes straight down to the origin.
 const DOWN: &str = "[picture]\nsize = [1, 1]\n\

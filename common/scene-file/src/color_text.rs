@@ -24,7 +24,8 @@ pub fn bytes(color: &str) -> Result<[u8; 3], String> {
         return of_digits(digits).ok_or_else(|| {
             let color = text::name(color);
             format!(
-                "\"{color}\" is no color: behind # stand six hexadecimal digits, such as #ff8000"
+                "\"{color}\" is no color: behind # stand three or six hexadecimal \
+                 digits, such as #ff8000"
             )
         });
     }
@@ -32,6 +33,9 @@ pub fn bytes(color: &str) -> Result<[u8; 3], String> {
     let found = rows().find(|(known, _)| *known == name);
     let found = found.and_then(|(_, digits)| of_digits(digits));
     found.ok_or_else(|| {
+        if of_digits(color).is_some() {
+            return format!("\"{color}\" lacks a # before its digits: \"#{color}\"");
+        }
         let known: Vec<_> = names().collect();
         let nearest = nearest(&known, &name);
         let hint = if nearest.is_empty() {
@@ -76,7 +80,7 @@ mod tests {
         for (color, end) in [
             ("#ff80", "such as #ff8000"),
             ("#+f8000", "such as #ff8000"),
-            ("ff8000", "such as \"#ff8000\""),
+            ("ff8000", "lacks a # before its digits: \"#ff8000\""),
             ("oragne", "; the nearest is orange"),
             ("", "such as \"#ff8000\""),
         ] {

@@ -54,18 +54,12 @@ pub(crate) fn nearest(known: &[&str], name: &str) -> String {
     if let Some(own) = known_for(known, name) {
         return format!("; here it is {own}");
     }
-    let nearness = |known: &str| strsim::normalized_damerau_levenshtein(known, name);
-    let known_by_nearness = known.iter().map(|known| (nearness(known), known));
-    match known_by_nearness.max_by(|a, b| a.0.total_cmp(&b.0)) {
-        Some((0.5.., nearest)) => format!("; the nearest is {}", text::name(nearest)),
-        Some(_) => {
-            let all = known.join(", ");
-            if all.len() <= LONGEST_LIST {
-                format!("; there is {}", text::visible(&all))
-            } else {
-                String::new()
-            }
-        }
-        None => String::new(),
+    if let Some(nearest) = text::nearest(known, name) {
+        return format!("; the nearest is {}", text::name(nearest));
     }
+    let all = known.join(", ");
+    if known.is_empty() || all.len() > LONGEST_LIST {
+        return String::new();
+    }
+    format!("; there is {}", text::visible(&all))
 }

@@ -211,6 +211,9 @@ impl Item {
             let degrees = |key: &&Key| key.about.contains("degrees");
             let text = match self.kind.key(key).filter(degrees) {
                 Some(angle) => format!("{}: {key} must be {}", self.kind.name, angle.about),
+                None if key == "up" && self.find(key).is_none() => {
+                    format!("camera without up: {error}; add up, such as up = [0, 0, -1]")
+                }
                 None => format!("{}: {error}", self.kind.name),
             };
             self.error(key, text)

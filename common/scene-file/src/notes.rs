@@ -21,6 +21,7 @@ impl SceneFile {
             ));
         }
         let mut bright = Vec::new();
+        let mut tiny = Vec::new();
         let tables = [
             &self.materials,
             &self.lights,
@@ -30,13 +31,18 @@ impl SceneFile {
         for item in tables.into_iter().flatten().chain([&self.world]) {
             add_bright_colors(item, &mut bright);
         }
-        bright.sort_by_key(|error| error.at);
-        if let Some(first) = bright.first() {
-            let more = match bright.len() {
-                1 => String::new(),
-                count => format!(", and {} more colours are so", count - 1),
-            };
-            notes.push(format!("{name}:{}{more}", first.within(text)));
+        for item in self.lights.iter().chain([&self.camera]) {
+            add_tiny_angles(item, &mut tiny);
+        }
+        for (mut remarks, kind) in [(bright, "colours"), (tiny, "angles")] {
+            remarks.sort_by_key(|error| error.at);
+            if let Some(first) = remarks.first() {
+                let more = match remarks.len() {
+                    1 => String::new(),
+                    count => format!(", and {} more {kind} are so", count - 1),
+                };
+                notes.push(format!("{name}:{}{more}", first.within(text)));
+            }
         }
         notes
     }
@@ -47,6 +53,22 @@ fn has_shape(item: &Item) -> bool {
     match item.kind.name {
         "group" => item.shapes().any(has_shape),
         _ => true,
+    }
+}
+
+/// Adds the angles of an item that are below a degree, as those in radians are.
+fn add_tiny_angles(item: &Item, tiny: &mut Vec<Error>) {
+    for (key, at, data) in &item.values {
+        if let Data::Numbers(numbers) = data
+            && ["angle", "half_angle"].contains(key)
+            && numbers[0] < 1.0
+        {
+            let (given, degrees) = (text::number(numbers[0]), numbers[0].to_degrees());
+            let text = format!(
+                "{key} {given} is below one degree; if radians were meant, write {degrees:.1}"
+            );
+            tiny.push(Error::new(*at, text));
+        }
     }
 }
 

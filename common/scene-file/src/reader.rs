@@ -1,15 +1,15 @@
 //! `SceneFile`: reads the tables of a scene file, and refuses unknown ones.
 
+mod known_key;
+
 use common::{Color, Transfer, text};
 use toml::Spanned;
-use toml::de::{DeString, DeTable, DeValue};
+use toml::de::{DeTable, DeValue};
 
 use crate::color_text;
-use crate::error::nearest;
 use crate::kind::{OwnKind, has_shapes};
 use crate::mistake::{BACKSLASH, mistake};
 use crate::numbers::numbers;
-use crate::synonyms::{form_of, known_for};
 use crate::uses::{self, MOST_COPIES, MOST_LEVELS, too_deep};
 use crate::{Data, Error, FirstMistake, Item, KINDS, Key, Kind, Mesh, OwnTable};
 
@@ -179,7 +179,7 @@ impl Reader<'_> {
             let own = self.own_kind(kind, name.get_ref());
             let known = match own {
                 Some(own) => Ok(&own.key),
-                None => self.known(kind, name),
+                None => self.known(&item, name),
             };
             let key = match known {
                 Ok(key) => key,
@@ -263,47 +263,6 @@ impl Reader<'_> {
     fn own_kind(&self, kind: &Kind, name: &str) -> Option<&'static OwnKind> {
         let mut own = self.own.iter().copied();
         own.find(|own| has_shapes(kind) && own.key.name == name)
-    }
-
-    /// The key of this name, if the stage knows it.
-    fn known(&self, kind: &'static Kind, name: &Spanned<DeString>) -> Result<&'static Key, Error> {
-        let (text, own) = (name.get_ref(), self.stage);
-        match kind.key(text) {
-            Some(key) if key.stage <= own => return Ok(key),
-            Some(Key { stage, .. }) => {
-                let text = text::name(text);
-                let text = format!("{text} is known from stage {stage} on, and this is {own}");
-                return Err(error(name, text));
-            }
-            None => (),
-        }
-        let known = |kind: &'static Kind| kind.keys.iter().filter(|key| key.stage <= own);
-        let has = |kind: &'static Kind| known(kind).any(|key| key.name == text);
-        let own = self.own.iter().filter(|_| has_shapes(kind));
-        let own = own.map(|own| own.key.name);
-        let names: Vec<_> = known(kind).map(|key| key.name).chain(own).collect();
-        // A key of the camera at the top of the file, or a step beside a transform.
-        let mut owners = KINDS[1..]
-            .iter()
-            .filter(|owner| !owner.form.starts_with("[["));
-        let right = if known_for(&names, text).is_some() {
-            nearest(&names, text)
-        } else if let Some(form) = form_of(text).filter(|_| has_shapes(kind)) {
-            format!("; {form} can have this form")
-        } else if let Some(owner) = owners.find(|owner| has(owner)) {
-            match owner.name {
-                "step" => {
-                    "; it stands in a transform, such as transform = [{ rotate_y = 30 }]".to_owned()
-                }
-                _ => format!("; {} has it", owner.form),
-            }
-        } else {
-            nearest(&names, text)
-        };
-        Err(error(
-            name,
-            format!("{} has no \"{}\"{right}", kind.name, text::name(text)),
-        ))
     }
 
     /// The tables of a key, with their names.

@@ -1,96 +1,11 @@
 //! `synonyms`: names of other programs for tables and keys of a scene file.
 
-/// Names, and the names that a scene file has for them.
-const SYNONYMS: &[(&str, &str)] = &[
-    ("aabb", "box"),
-    ("ball", "sphere"),
-    ("block", "box"),
-    ("bottom", "lbf"),
-    ("brightness", "color"),
-    ("brick", "box"),
-    ("center_point", "center"),
-    ("circle", "disc"),
-    ("colour", "color"),
-    ("copies", "count"),
-    ("cube", "box"),
-    ("cuboid", "box"),
-    ("def", "define"),
-    ("definition", "define"),
-    ("directional", "directional_light"),
-    ("disk", "disc"),
-    ("facing", "gaze"),
-    ("field_of_view", "angle"),
-    ("filename", "file"),
-    ("floor", "plane"),
-    ("forward", "gaze"),
-    ("fov", "angle"),
-    ("fovy", "angle"),
-    ("from", "eye"),
-    ("ground", "plane"),
-    ("instance", "use"),
-    ("intensity", "color"),
-    ("kd", "diffuse"),
-    ("ks", "specular"),
-    ("lamp", "point_light"),
-    ("light", "point_light"),
-    ("lookat", "look_at"),
-    ("location", "eye"),
-    ("loop", "repeat"),
-    ("max", "run"),
-    ("min", "lbf"),
-    ("model", "mesh"),
-    ("move", "translate"),
-    ("n", "exponent"),
-    ("number", "count"),
-    ("obj", "mesh"),
-    ("object", "group"),
-    ("offset", "translate"),
-    ("parallel_light", "directional_light"),
-    ("path", "file"),
-    ("phong_size", "exponent"),
-    ("position", "eye"),
-    ("pos", "eye"),
-    ("r", "radius"),
-    ("reflectance", "reflection"),
-    ("reflective", "reflection"),
-    ("reflectivity", "reflection"),
-    ("resize", "scale"),
-    ("resolution", "size"),
-    ("rotate_x", "rotate"),
-    ("rotate_y", "rotate"),
-    ("rotate_z", "rotate"),
-    ("rotation", "rotate"),
-    ("shininess", "exponent"),
-    ("sky", "background"),
-    ("source", "file"),
-    ("spot", "spot_light"),
-    ("step", "translate"),
-    ("spotlight", "spot_light"),
-    ("sun", "directional_light"),
-    ("target", "look_at"),
-    ("times", "count"),
-    ("to", "look_at"),
-    ("top", "run"),
-    ("transformation", "transform"),
-    ("transforms", "transform"),
-    ("translation", "translate"),
-    ("upwards", "up"),
-    ("vertices", "corners"),
-];
+use common::text::plain;
 
-/// Those of lights and spheres for "position".
-const OTHER_PLACES: [(&str, &str); 8] = [
-    ("pos", "position"),
-    ("location", "position"),
-    ("eye", "position"),
-    ("pos", "center"),
-    ("position", "center"),
-    ("location", "center"),
-    ("position", "point"),
-    ("angle", "half_angle"),
-];
+/// Names of tables and keys, and behind each those that other programs have for it.
+const SYNONYMS: &str = include_str!("synonyms.txt");
 
-/// Shapes that a scene file has no table for, and what has their form.
+/// Shapes, and what has their form where no stage has a table for them.
 const OTHER_SHAPES: &[(&str, &str)] = &[
     ("capsule", "a mesh"),
     ("cone", "a mesh"),
@@ -111,12 +26,19 @@ pub fn form_of(name: &str) -> Option<&'static str> {
     found.map(|(_, form)| *form)
 }
 
-/// The known name for another program's, if there is one.
+/// The known name for another program's, or for one in another spelling such as `rotateZ`.
 pub fn known_for<'a>(known: &[&'a str], name: &str) -> Option<&'a str> {
-    let name = name.to_lowercase();
-    let mut pairs = SYNONYMS.iter().chain(&OTHER_PLACES);
-    pairs.find_map(|(foreign, own)| {
-        let found = known.iter().find(|known| *known == own);
-        found.copied().filter(|_| *foreign == name)
-    })
+    let name = plain(name);
+    let mut same = known.iter().copied();
+    if let Some(same) = same.find(|known| plain(known) == name) {
+        return Some(same);
+    }
+    for line in SYNONYMS.lines() {
+        let (own, foreign) = line.split_once(": ")?;
+        let own = known.iter().find(|known| **known == own);
+        if own.is_some() && foreign.split(' ').any(|foreign| plain(foreign) == name) {
+            return own.copied();
+        }
+    }
+    None
 }

@@ -61,11 +61,19 @@ pub fn resolve(shapes: &mut [Item], definitions: &mut [Item]) -> Result<(), Erro
     };
     let mut all = 0;
     for (index, definition) in definitions.iter().enumerate() {
-        extents.of_definition(index, definition, 1)?;
+        // Those of repeats are found where their copies are, so that an error names another one.
+        if !definition.name.is_empty() {
+            extents.of_definition(index, definition, 1)?;
+        }
     }
+    // Definitions that nobody uses do not count.
     for item in &*shapes {
-        all += extents.of_item(item, 1)?.shapes;
-        check_shapes(all, item)?;
+        all = extents.of_item(item, 1)?.shapes.saturating_add(all);
+        if all > MOST_SHAPES {
+            let text =
+                format!("the scene has more than {MOST_SHAPES} shapes, with all of its copies");
+            return Err(item.error("", text));
+        }
     }
     Ok(())
 }
@@ -158,9 +166,8 @@ impl Extents<'_> {
         };
         for table in item.shapes() {
             let extent = self.of_item(table, level + 1)?;
-            all.shapes += extent.shapes;
+            all.shapes = all.shapes.saturating_add(extent.shapes);
             all.levels = all.levels.max(extent.levels);
-            check_shapes(all.shapes, table)?;
         }
         around(all, item)
     }
@@ -180,12 +187,4 @@ pub fn too_deep(item: &Item) -> Error {
     let text =
         format!("there are more than {MOST_LEVELS} groups, uses or repeats inside each other");
     item.error("", text)
-}
-
-fn check_shapes(shapes: u64, item: &Item) -> Result<(), Error> {
-    if shapes > MOST_SHAPES {
-        let text = format!("the scene has more than {MOST_SHAPES} shapes, with all of its copies");
-        return Err(item.error("", text));
-    }
-    Ok(())
 }

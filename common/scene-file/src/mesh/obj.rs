@@ -3,9 +3,11 @@
 
 use std::borrow::Cow;
 
+use common::text::name;
+
 use super::NONE;
 use super::polygons::Polygons;
-use super::text::{lines, number, quoted, without_comment};
+use super::text::{lines, number, without_comment};
 
 /// The corners, normals and faces. The error is a clause.
 pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
@@ -41,7 +43,7 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
             statement = Cow::Owned(joined);
         }
         add(&statement, place, &mut polygons).map_err(|mistake| match mistake {
-            Mistake::Form(right) => format!("line {place} is \"{}\", but {right}", quoted(line)),
+            Mistake::Form(right) => format!("line {place} is \"{}\", but {right}", name(line)),
             Mistake::Corner(number) => {
                 let count = polygons.positions.len();
                 polygons.missing_corner(place, &number, count)

@@ -17,8 +17,13 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
     let mut numbers = Numbers { encoding, rest };
     let mut reader = Reader::default();
     reader.polygons.format = Format::Ply { element: "face" };
+    // Faces may stand before the vertices, whose normals have the indices of their corners.
+    reader.has_normals = elements.iter().any(|element| {
+        let mut properties = element.properties.iter();
+        element.name == "vertex" && properties.any(|property| property.is_number("nx"))
+    });
     for element in &elements {
-        reader.begin(element)?;
+        check(element)?;
         // Things without properties take no bytes, so that any number of them may be promised.
         if element.properties.is_empty() {
             continue;
@@ -58,6 +63,31 @@ enum Mistake {
     Vertex(f64),
 }
 
+/// Checks that the things of an element have the properties that are needed.
+fn check(element: &Element) -> Result<(), String> {
+    let has = |name: &str| {
+        let mut properties = element.properties.iter();
+        properties.any(|property| property.is_number(name))
+    };
+    match element.name.as_str() {
+        "vertex" if element.count > 0 => {
+            let missing: Vec<_> = ["x", "y", "z"].into_iter().filter(|x| !has(x)).collect();
+            if !missing.is_empty() {
+                let missing = missing.join(" and ");
+                return Err(format!("its vertices lack the property {missing}"));
+            }
+        }
+        "face" if element.count > 0 => {
+            let mut properties = element.properties.iter();
+            if !properties.any(Property::is_corners) {
+                return Err("its faces lack the list vertex_indices".to_owned());
+            }
+        }
+        _ => (),
+    }
+    Ok(())
+}
+
 #[derive(Default)]
 struct Reader {
     polygons: Polygons,
@@ -68,32 +98,6 @@ struct Reader {
 }
 
 impl Reader {
-    /// Prepares for the things of an element.
-    fn begin(&mut self, element: &Element) -> Result<(), String> {
-        let has = |name: &str| {
-            let mut properties = element.properties.iter();
-            properties.any(|property| property.name == name && property.length.is_none())
-        };
-        match element.name.as_str() {
-            "vertex" if element.count > 0 => {
-                let missing: Vec<_> = ["x", "y", "z"].into_iter().filter(|x| !has(x)).collect();
-                if !missing.is_empty() {
-                    let missing = missing.join(" and ");
-                    return Err(format!("its vertices lack the property {missing}"));
-                }
-                self.has_normals = has("nx");
-            }
-            "face" if element.count > 0 => {
-                let mut properties = element.properties.iter();
-                if !properties.any(Property::is_corners) {
-                    return Err("its faces lack the list vertex_indices".to_owned());
-                }
-            }
-            _ => (),
-        }
-        Ok(())
-    }
-
     /// Adds the next thing of an element.
     fn add(
         &mut self,
@@ -175,6 +179,11 @@ impl Reader {
 }
 
 impl Property {
+    /// Whether it is a number of this name.
+    fn is_number(&self, name: &str) -> bool {
+        self.length.is_none() && self.name == name
+    }
+
     /// Whether it is the list of a face's corners.
     fn is_corners(&self) -> bool {
         self.length.is_some() && self.name.starts_with("vertex_ind")

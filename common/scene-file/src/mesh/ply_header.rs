@@ -1,7 +1,7 @@
 //! `Header`: the elements of a PLY file with their properties, and the format of the numbers behind
 //! it.
 
-use super::text::quoted;
+use common::text;
 
 /// The elements of a file, and the format of their numbers.
 #[derive(Debug, Default)]
@@ -115,7 +115,7 @@ impl Header {
                     "binary_little_endian" => Encoding::LittleEndian,
                     "binary_big_endian" => Encoding::BigEndian,
                     _ => {
-                        let name = quoted(name);
+                        let name = text::name(name);
                         return Err(format!(
                             "its format is \"{name}\", but there is ascii, binary_little_endian \
                              and binary_big_endian"
@@ -125,7 +125,7 @@ impl Header {
             }
             ["element", name, count] => {
                 let Ok(count) = count.parse() else {
-                    let line = quoted(&text);
+                    let line = text::name(&text);
                     return Err(format!("its header has \"{line}\", without a count"));
                 };
                 self.elements.push(Element {
@@ -140,7 +140,7 @@ impl Header {
             }
             ["property", kind, name] => self.add_property(name, None, named(kind, name)?)?,
             _ => {
-                let line = quoted(&text);
+                let line = text::name(&text);
                 return Err(format!("its header has the unknown line \"{line}\""));
             }
         }
@@ -150,7 +150,7 @@ impl Header {
     fn add_property(&mut self, name: &str, length: Option<Type>, kind: Type) -> Result<(), String> {
         let name = name.to_owned();
         let Some(element) = self.elements.last_mut() else {
-            let name = quoted(&name);
+            let name = text::name(&name);
             return Err(format!(
                 "its property {name} stands before the first element"
             ));
@@ -163,7 +163,7 @@ impl Header {
 /// The type of a property.
 fn named(kind: &str, property: &str) -> Result<Type, String> {
     Type::named(kind).ok_or_else(|| {
-        let (kind, property) = (quoted(kind), quoted(property));
+        let (kind, property) = (text::name(kind), text::name(property));
         format!(
             "its property {property} has the unknown type {kind}; there is char, uchar, short, \
              ushort, int, uint, float and double"

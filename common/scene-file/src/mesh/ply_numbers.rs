@@ -1,7 +1,9 @@
 //! `Numbers`: the numbers of a PLY file behind its header.
 
+use common::text;
+
 use super::ply_header::{Encoding, Type};
-use super::text::{number, quoted};
+use super::text::number;
 
 /// The numbers that are not yet read.
 #[derive(Debug)]
@@ -49,7 +51,7 @@ impl Numbers<'_> {
             return Err(NoNumber::End);
         }
         let read = str::from_utf8(word).ok().and_then(number);
-        read.ok_or_else(|| NoNumber::Word(quoted(&String::from_utf8_lossy(word)).into_owned()))
+        read.ok_or_else(|| NoNumber::Word(text::name(&String::from_utf8_lossy(word))))
     }
 
     /// The bytes of the next number, the least significant one first.
