@@ -16,10 +16,8 @@ mod seen_rays;
 pub enum Instruments {
     /// They report all steps of a renderer that leaves out this work.
     Report(Omissions),
-    /// They report the steps that no renderer can leave out, and no others.
-    Needed,
-    /// They report nothing, for the time of a renderer that leaves out this work.
-    Time(Omissions),
+    /// They report nothing, and do all work that a renderer may leave out.
+    AllWork,
 }
 
 impl Instruments {
@@ -28,24 +26,23 @@ impl Instruments {
 
     /// For a picture with these settings; none for the renderer as it is.
     pub(crate) fn of_settings(settings: &Settings) -> Option<Self> {
-        let omissions = match settings.renderer {
-            Renderer::AllWork => Some(Omissions::NONE),
-            Renderer::Lesson | Renderer::Engine => settings.omissions,
-        };
-        if steps::is_counting_needed() {
-            Some(Self::Needed)
-        } else if steps::is_counting() {
-            Some(Self::Report(omissions.unwrap_or(Omissions::ALL)))
+        let does_all_work = settings.renderer == Renderer::AllWork;
+        if steps::is_counting() {
+            Some(Self::Report(if does_all_work {
+                Omissions::NONE
+            } else {
+                settings.omissions.unwrap_or(Omissions::ALL)
+            }))
         } else {
-            omissions.map(Self::Time)
+            does_all_work.then_some(Self::AllWork)
         }
     }
 
     /// The work that is left out.
     pub const fn omissions(self) -> Omissions {
         match self {
-            Self::Report(omissions) | Self::Time(omissions) => omissions,
-            Self::Needed => Omissions::ALL,
+            Self::Report(omissions) => omissions,
+            Self::AllWork => Omissions::NONE,
         }
     }
 }

@@ -98,7 +98,6 @@ impl View {
     pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
         let instruments = Instruments::of_settings(settings);
         if settings.renderer == Renderer::Engine
-            && instruments != Some(Instruments::Needed)
             && let Some(scene) = self.world.for_engine(settings.depth)
         {
             return kinds::render(scene, &*self.camera, settings, progress);
@@ -112,7 +111,7 @@ impl View {
             (max_error, scene.max_radiance(), contrasts)
         });
         let Self { camera, world } = match instruments {
-            Some(instruments) => self.recorded(settings, instruments),
+            Some(instruments) => self.recorded(instruments),
             None => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
@@ -125,9 +124,9 @@ impl View {
     }
 
     /// The view with these instruments.
-    pub(crate) fn recorded(self, settings: &Settings, instruments: Instruments) -> Self {
+    pub(crate) fn recorded(self, instruments: Instruments) -> Self {
         Self {
-            camera: instruments::recorded::camera(self.camera, settings, instruments),
+            camera: instruments::recorded::camera(self.camera),
             world: self.world.recorded(instruments),
         }
     }

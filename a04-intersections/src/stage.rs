@@ -69,10 +69,8 @@ impl TracedWorld for World<Color> {
     }
 
     fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
-        match instruments {
-            Instruments::Report(_) => (),
-            Instruments::Needed => return Box::new(move |ray: &Ray| self.needed(ray)),
-            Instruments::Time(_) => return self,
+        if instruments == Instruments::AllWork {
+            return self;
         }
         let world = recorded::world(*self, KINDS, |color| color);
         Box::new(move |ray: &Ray| {
@@ -88,16 +86,5 @@ impl TracedWorld for World<Color> {
             }
             color
         })
-    }
-}
-
-impl World<Color> {
-    /// The colour that a ray brings back. Only the object that it hits has to be tested.
-    fn needed(&self, ray: &Ray) -> Color {
-        let nearest = self.hit(ray, Interval::AHEAD);
-        if nearest.is_some() {
-            steps::count(StepKind::Test, 1);
-        }
-        nearest.map_or(self.background(), |(_, color)| *color)
     }
 }

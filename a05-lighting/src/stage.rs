@@ -3,11 +3,9 @@
 
 use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
-use a04_intersections::Interval;
 use a04_intersections::instruments::objects;
 use a04_intersections::instruments::recorded::push_background;
 use a04_intersections::kinds::KINDS as SHAPES;
-use common::steps::{self, StepKind};
 use common::{Color, Stage};
 use scene_file::WrittenShape;
 
@@ -81,16 +79,9 @@ impl TracedWorld for LitWorld {
     fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
         let omissions = instruments.omissions();
         let surface = |material| recorded::material(material, kinds::KINDS, omissions);
-        if let Instruments::Needed | Instruments::Time(_) = instruments {
-            let is_counting = instruments == Instruments::Needed;
+        if instruments == Instruments::AllWork {
             let world = recorded::map_surfaces(*self, surface);
-            return Box::new(move |ray: &Ray| {
-                // A hit takes the test of its object at least.
-                if is_counting && world.objects().is_hit(ray, Interval::AHEAD) {
-                    steps::count(StepKind::Test, 1);
-                }
-                world.color_for(ray)
-            });
+            return Box::new(move |ray: &Ray| world.color_for(ray));
         }
         let world = recorded::world(*self, SHAPES, surface, recorded::light);
         Box::new(move |ray: &Ray| {

@@ -10,7 +10,6 @@ use a05_lighting::kinds::{
     read_single_color, read_world,
 };
 use a05_lighting::{Material, Phong};
-use common::Color;
 use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, traced};
@@ -37,16 +36,6 @@ impl MaterialKind for Reflective {
 
     fn as_phong(&self) -> Option<&Phong> {
         Some(&self.shiny)
-    }
-}
-
-/// Whether light can change the colour of a surface: not if it has a single colour, or reflects nothing.
-#[must_use]
-pub fn responds_to_light(surface: &dyn Surface) -> bool {
-    match KINDS.for_engine(surface, |_, _| Color::BLACK) {
-        engine::Shading::SingleColor(_) => false,
-        engine::Shading::Phong(phong) => phong.responds_to_light(),
-        engine::Shading::Other(_) => true,
     }
 }
 

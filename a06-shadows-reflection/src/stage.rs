@@ -8,7 +8,6 @@ use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
 use common::{Color, Stage};
 use scene_file::WrittenShape;
 
-use crate::instruments::needed::NeededWorld;
 use crate::instruments::recorded::RecordedWorld;
 use crate::scenes::{aab, sphere};
 use crate::{RecursiveTracer, ShadowedWorld, kinds};
@@ -79,9 +78,6 @@ impl TracedWorld for RecursiveWorld {
     }
 
     fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
-        if instruments == Instruments::Needed {
-            return Box::new(NeededWorld::new(self.world, self.shapes));
-        }
         let recorded = RecordedWorld::new(self.world, self.shapes, instruments);
         Box::new(recorded)
     }

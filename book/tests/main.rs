@@ -4,8 +4,6 @@
 //! A check returns a complaint with file and line for each mistake.
 
 mod arrows;
-mod caption;
-mod commands;
 mod files;
 mod forgotten;
 mod include;
@@ -13,7 +11,6 @@ mod left_over;
 mod lesson_length;
 mod lessons;
 mod recorded;
-mod task_first;
 mod upwards;
 mod way_of_a_ray;
 mod who_passes;
@@ -38,8 +35,6 @@ macro_rules! checks {
 checks! {
     every_page_picture_and_file_is_reached: left_over::complaints;
     every_listing_shows_something: include::complaints;
-    every_command_can_be_pasted: commands::complaints;
-    every_picture_and_listing_has_a_caption: caption::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
     crates_read_no_files_outside_of_them: upwards::complaints;
     only_rows_and_renderers_know_the_engine: arrows::complaints;
@@ -47,9 +42,6 @@ checks! {
     each_described_type_has_a_row: forgotten::types_without_a_row;
     each_file_of_tests_is_compiled: forgotten::tests_without_a_name;
     lesson_files_are_short: lesson_length::complaints;
-    each_anchor_has_a_figure_that_agrees_in_all_builds: recorded::anchors;
-    plots_are_drawn_from_recordings: recorded::plots;
-    no_time_is_typed_by_hand: recorded::typed_by_hand;
-    each_task_stands_before_the_code_of_its_lesson: task_first::complaints;
+    each_anchor_has_a_figure: recorded::anchors;
     the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }

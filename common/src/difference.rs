@@ -29,6 +29,24 @@ fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
     ))
 }
 
+/// The differences of the light in the channels of a picture from those of another one of the same
+/// size, three for each pixel; infinite where one of both is no number.
+#[must_use]
+pub fn of_channels(image: &Image, expected: &Image) -> Vec<f64> {
+    let mut differences = Vec::new();
+    for (pixel, expected) in image.pixels().iter().zip(expected.pixels()) {
+        for (channel, expected) in pixel.channels().into_iter().zip(expected.channels()) {
+            let difference = channel - expected;
+            differences.push(match difference {
+                _ if channel.to_bits() == expected.to_bits() => 0.0,
+                nan if nan.is_nan() => f64::INFINITY,
+                difference => difference,
+            });
+        }
+    }
+    differences
+}
+
 /// The differences of the channels of each pixel, in the bytes of two pictures.
 fn apart(expected: &Image, actual: &Image) -> Vec<[u8; 3]> {
     let [expected, actual] = [expected, actual].map(|image| image.to_rgb8(Transfer::Linear));
@@ -119,6 +137,19 @@ mod tests {
     use crate::Size;
 
     use super::*;
+
+    #[test]
+    fn nan_differs_from_all_but_itself() {
+        let dot = |gray| {
+            let size = Size::new(1, 1).unwrap();
+            Image::from_fn(size, |_, _| Color::gray(gray)).unwrap()
+        };
+        let apart = |a, b| of_channels(&dot(a), &dot(b));
+        assert_eq!(apart(f64::NAN, f64::NAN), [0.0; 3]);
+        assert_eq!(apart(f64::INFINITY, f64::INFINITY), [0.0; 3]);
+        assert_eq!(apart(f64::NAN, 1.0), [f64::INFINITY; 3]);
+        assert_eq!(apart(0.25, 1.0), [-0.75; 3]);
+    }
 
     #[test]
     fn a_difference_is_described_in_full() {

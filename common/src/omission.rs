@@ -1,11 +1,9 @@
 //! `Omission`: work that a renderer leaves out because no picture shows it, and `Omissions`, a set of
-//! them. A measurement puts the work back, kind by kind, and sees what each costs.
+//! them. `render --explain` puts the work back, kind by kind, and counts it.
 
 /// Work that does not change a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Omission {
-    /// Random numbers for samples with a fixed place.
-    RandomNumbers,
     /// The search behind the first object between a surface and a light.
     FartherOccluders,
     /// Shadow rays to lights that cast no shadows.
@@ -14,10 +12,8 @@ pub enum Omission {
     LightsBehind,
     /// Shadow rays from surfaces whose colour does not depend on light.
     UnlitSurfaces,
-    /// Powers of black highlights.
-    BlackHighlights,
-    /// Powers where the light is mirrored away from the eye.
-    HighlightsAway,
+    /// Powers of highlights that are black or mirrored away from the eye.
+    UnseenHighlights,
     /// Reflected rays from surfaces that mirror nothing.
     BlackMirrors,
     /// Reflected rays that bring back less than the allowed error.
@@ -31,14 +27,12 @@ pub enum Omission {
 impl Omission {
     /// All kinds, in the order in which a measurement puts them back: each with those before it, so
     /// that work which several of them leave out counts for the last check that the ray would pass.
-    pub const ALL: [Self; 11] = [
-        Self::RandomNumbers,
+    pub const ALL: [Self; 9] = [
         Self::FartherOccluders,
         Self::LightsWithoutShadows,
         Self::LightsBehind,
         Self::UnlitSurfaces,
-        Self::BlackHighlights,
-        Self::HighlightsAway,
+        Self::UnseenHighlights,
         Self::BlackMirrors,
         Self::FaintReflections,
         Self::NestedNodes,
@@ -46,14 +40,12 @@ impl Omission {
     ];
 
     /// The omissions of the lesson.
-    pub const OF_LESSON: [Self; 8] = [
-        Self::RandomNumbers,
+    pub const OF_LESSON: [Self; 6] = [
         Self::FartherOccluders,
         Self::LightsWithoutShadows,
         Self::LightsBehind,
         Self::UnlitSurfaces,
-        Self::BlackHighlights,
-        Self::HighlightsAway,
+        Self::UnseenHighlights,
         Self::BlackMirrors,
     ];
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::steps::{Step, StepKind};
-use crate::{Color, Transfer};
+use crate::{Color, Transfer, text};
 
 /// A value in a trace.
 pub(crate) struct Value<'a> {
@@ -83,11 +83,10 @@ impl PixelTrace {
 /// A number with at most four significant digits, or a point, vector or colour of them.
 #[must_use]
 pub fn digits(numbers: &[f64]) -> String {
-    let digits = |number: &f64| match format!("{number:.3e}").parse().unwrap_or(*number) {
-        x if x != 0.0 && !(1e-3..1e6).contains(&f64::abs(x)) && x.is_finite() => format!("{x:e}"),
-        x => (x + 0.0).to_string(),
-    };
-    let all: Vec<_> = numbers.iter().map(digits).collect();
+    let all: Vec<_> = numbers
+        .iter()
+        .map(|number| text::rounded(*number, 4))
+        .collect();
     match &*all {
         [number] => number.clone(),
         _ => format!("({})", all.join(", ")),

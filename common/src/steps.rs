@@ -12,7 +12,7 @@ mod trace;
 use std::fmt;
 
 pub use chosen_pixel::{trace_chosen, with_chosen_pixel};
-pub use counts::{Counts, count, counted, counted_needed, is_counting, is_counting_needed};
+pub use counts::{Counts, count, counted, is_counting};
 pub use kind::StepKind;
 pub use recorder::{expect_ray, take_expected_ray};
 pub use trace::{heading, inside, is_tracing, push, so_far, traced, untraced};

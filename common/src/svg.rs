@@ -5,11 +5,9 @@ use std::fmt::Write;
 /// Colours that colour-blind people can distinguish, too (Okabe and Ito, Color Universal
 /// Design, 2008). Without variables, which only browsers know.
 const STYLE: &str = "\
-svg{font:13px system-ui,sans-serif}.title{font-weight:600;font-size:16px}.small{font-size:11.5px}
-.middle{text-anchor:middle}.end{text-anchor:end}path{fill:none}.level{stroke-dasharray:2 3}
+svg{font:13px system-ui,sans-serif}.small{font-size:11.5px}.bold{font-weight:600}
+.middle{text-anchor:middle}.end{text-anchor:end}path{fill:none}
 .curve{stroke-width:2}.object{stroke-width:3;opacity:.45}.key{stroke-width:12;opacity:.45}
-.front{stroke-width:9;opacity:.2;stroke-linecap:round;stroke-linejoin:round}.bold{font-weight:600}
-.fit{stroke-width:6;opacity:.3}
 .estimate{stroke-dasharray:6 4}.mark{stroke-width:1.8}
 rect,.mark{fill:#fff}text{fill:#282828}.small{fill:#6b6b6b}path{stroke:#282828}.grid{stroke:#e4e4e4}
 .c0{stroke:#0072b2}.c1{stroke:#d55e00}.c2{stroke:#009e73}.c3{stroke:#b4558c}

@@ -19,6 +19,17 @@ pub fn number(number: f64) -> String {
     text.strip_suffix(".0").unwrap_or(&text).to_owned()
 }
 
+/// A number with at most this many significant digits, with an exponent if it is huge or tiny.
+#[must_use]
+pub fn rounded(number: f64, digits: usize) -> String {
+    let rounded = format!("{number:.*e}", digits.max(1) - 1);
+    match rounded.parse().unwrap_or(number) {
+        x if x != 0.0 && !(1e-3..1e6).contains(&f64::abs(x)) && x.is_finite() => format!("{x:e}"),
+        // Not "-0".
+        x => (x + 0.0).to_string(),
+    }
+}
+
 /// Numbers with commas between them, without brackets.
 #[must_use]
 pub fn numbers(numbers: &[f64]) -> String {
@@ -142,6 +153,21 @@ fn shortened(text: &str, most: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rounded_numbers_take_few_characters() {
+        for (value, text) in [
+            (0.0, "0"),
+            (-1e-320_f64 * 1e-10, "0"),
+            (0.123_46, "0.123"),
+            (9.96e-4, "9.96e-4"),
+            (999_999.9, "1e6"),
+            (-123_456.0, "-123000"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(rounded(value, 3), text);
+        }
+    }
 
     #[test]
     fn numbers_have_at_most_17_digits() {

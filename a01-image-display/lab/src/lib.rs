@@ -25,44 +25,23 @@ pub fn laboratory() -> Laboratory {
 }
 
 fn experiments() -> Vec<Experiment<'static>> {
-    vec![
-        saving(
-            "save-diagonal",
-            "diagonal",
-            "What does a picture of one line lose as JPEG, and what does that save?",
-        ),
-        saving(
-            "save-painter",
-            "painter",
-            "What does a disc before a gradient lose as JPEG, and what does that save?",
-        ),
-        saving(
-            "save-show-image",
-            "show-image",
-            "What does the test card lose as JPEG, and what does that save?",
-        ),
-    ]
+    vec![Experiment {
+        question: "What does the test card lose as JPEG, and what does that save?",
+        parameter: "quality",
+        work: "bytes",
+        error: "rms error of a channel",
+        exact: "against the picture that was saved",
+        curves: Box::new(|_| curves().unwrap_or_default()),
+        ..Experiment::new("save-show-image")
+    }]
 }
 
 /// The qualities of JPEG that are tried.
 const QUALITIES: [u8; 9] = [10, 25, 50, 75, 90, 95, 98, 99, 100];
 
-/// An experiment that saves the picture of a scene at all qualities.
-fn saving(name: &'static str, scene: &'static str, question: &'static str) -> Experiment<'static> {
-    Experiment {
-        question,
-        parameter: "quality",
-        work: "bytes",
-        error: "rms error of a channel",
-        exact: "against the picture that was saved",
-        curves: Box::new(move |_| curves(scene).unwrap_or_default()),
-        ..Experiment::new(name)
-    }
-}
-
 /// JPEG at all qualities, and PNG. None if the scene cannot be rendered.
-fn curves(scene: &str) -> Option<Vec<Curve<'static>>> {
-    let picture = Rc::new(picture(scene)?);
+fn curves() -> Option<Vec<Curve<'static>>> {
+    let picture = Rc::new(picture()?);
     let mut jpeg = Vec::new();
     for quality in QUALITIES {
         jpeg.extend(point(&picture, Format::Jpeg { quality }));
@@ -71,9 +50,9 @@ fn curves(scene: &str) -> Option<Vec<Curve<'static>>> {
     Some(vec![Curve::new("JPEG", jpeg), Curve::new("PNG", png)])
 }
 
-fn picture(scene: &str) -> Option<RgbImage> {
+fn picture() -> Option<RgbImage> {
     let stage = stage();
-    let scene = stage.scene(scene).ok()?;
+    let scene = stage.scene("show-image").ok()?;
     let image = scene.render(&scene.defaults, &()).ok()?;
     let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
     RgbImage::from_raw(size.width(), size.height(), rgb)

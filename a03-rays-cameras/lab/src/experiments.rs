@@ -1,4 +1,4 @@
-//! Error against work: methods to place the samples in a pixel, and to sum them.
+//! Error against work: methods to place the samples in a pixel.
 //!
 //! All samplers are tested on three kinds of pixels, because positions that are
 //! good for one kind may be poor for another. Every pixel's mean has a closed
@@ -6,7 +6,6 @@
 
 mod coverage;
 mod places;
-mod summation;
 
 use measure::Effort;
 use measure::experiment::{Curve, Errors, Experiment, Point, Slope, Times};
@@ -15,7 +14,6 @@ pub use coverage::{RADIUS, disc_coverage};
 use coverage::{in_disc, in_stripe, irradiance, lit, stripes};
 pub use places::sampled;
 use places::{METHODS, Places};
-pub use summation::neumaier;
 
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
@@ -23,7 +21,6 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         CURVED_EDGE.experiment(),
         LEVEL_EDGE.experiment(),
         SMOOTH_SHADING.experiment(),
-        summation::experiment(),
     ]
 }
 

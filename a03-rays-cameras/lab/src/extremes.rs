@@ -11,7 +11,8 @@ use measure::extremes::{
     Absolute, Case, Fails, Known, Number, Refused, Triple, Ulps, Without, tried,
 };
 
-use crate::experiments::{RADIUS, disc_coverage, neumaier, sampled};
+use crate::experiments::{RADIUS, disc_coverage, sampled};
+use crate::neumaier::neumaier;
 use crate::protocol;
 use a03_rays_cameras::{OrthographicCamera, PixelRandom, Ray, render};
 

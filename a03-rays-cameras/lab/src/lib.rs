@@ -5,6 +5,7 @@
 
 mod experiments;
 mod extremes;
+mod neumaier;
 pub mod protocol;
 
 use measure::Laboratory;

@@ -26,7 +26,7 @@ impl View {
             Renderer::AllWork => Omissions::NONE,
             Renderer::Lesson | Renderer::Engine => Omissions::ALL,
         };
-        let view = self.recorded(settings, Instruments::Report(omissions));
+        let view = self.recorded(Instruments::Report(omissions));
         trace_samples(settings, pixel, |x, y| {
             let ray = view.camera.ray_for(settings.size, x, y);
             view.world.radiance(&ray, settings.depth)

@@ -1,10 +1,9 @@
 //! Rays, samples and cameras of this stage in the types of the engine.
 
 use a02_math::{Point3, Vector3};
-use common::steps::{self, StepKind};
-use common::{Color, Error, Image, Omission, Omissions, Progress, Settings};
+use common::{Color, Error, Image, Progress, Settings};
 
-use crate::{Basis, Camera, PixelRandom, Ray, Sampler};
+use crate::{Basis, Camera, Ray, Sampler};
 
 impl From<&Ray> for engine::Ray {
     fn from(ray: &Ray) -> Self {
@@ -49,30 +48,7 @@ impl engine::Sampler for Sampler {
     }
 
     fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
-        if self.sampling.is_random() {
-            steps::count(StepKind::RandomNumber, 2);
-        }
         Self::place(self, i, column, row)
-    }
-}
-
-/// A sampler that also moves samples with a fixed place, by two random numbers times 0, to measure
-/// the time that is saved by leaving them out.
-struct MovingSampler {
-    sampler: Sampler,
-    seed: u64,
-}
-
-impl engine::Sampler for MovingSampler {
-    fn samples(&self) -> u32 {
-        self.sampler.samples()
-    }
-
-    fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
-        steps::count(StepKind::RandomNumber, 2);
-        let random = PixelRandom::new(self.seed, column, row);
-        let (dx, dy) = self.sampler.place(i, column, row);
-        (dx + 0.0 * random.uniform(0), dy + 0.0 * random.uniform(1))
     }
 }
 
@@ -84,13 +60,7 @@ pub fn render(
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
     let renderer = engine::Renderer::new(scene, self::camera(camera), settings);
-    let sampler = Sampler::new(settings);
-    let omissions = settings.omissions.unwrap_or(Omissions::ALL);
-    if settings.sampling.is_random() || omissions.contains(Omission::RandomNumbers) {
-        return renderer.render(&sampler, settings, progress);
-    }
-    let seed = settings.seed;
-    renderer.render(&MovingSampler { sampler, seed }, settings, progress)
+    renderer.render(&Sampler::new(settings), settings, progress)
 }
 
 /// The light that the engine finds at camera coordinates.

@@ -1,13 +1,11 @@
-//! Samples lie where they should, at no more random numbers than they need, and a rendering
-//! can be stopped.
+//! Samples lie where they should, and a rendering can be stopped.
 
 use std::collections::HashSet;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use a02_math::Point3;
-use a03_rays_cameras::{PinholeCamera, PixelRandom, Sampler, render, stage};
-use common::steps::{StepKind, counted};
-use common::{Color, Error, Progress, Renderer, Sampling, Settings, Size};
+use a03_rays_cameras::{PinholeCamera, PixelRandom, Sampler, render};
+use common::{Color, Error, Progress, Sampling, Settings, Size};
 
 fn settings(sampling: Sampling, samples: u32) -> Settings {
     Settings {
@@ -96,27 +94,6 @@ fn another_seed_gives_other_samples() {
         Sampler::new(&Settings { seed, ..settings }).place(0, 3, 2)
     };
     assert_ne!(with_seed(1), with_seed(2));
-}
-
-#[test]
-fn samples_with_a_fixed_place_take_no_random_numbers() {
-    let scene = &stage().scenes[0];
-    for (sampling, samples, needed) in [
-        (Sampling::Center, 1, 0),
-        (Sampling::Regular, 4, 0),
-        (Sampling::Random, 5, 10),
-        (Sampling::Stratified, 4, 8),
-    ] {
-        for (renderer, needed) in [(Renderer::Lesson, needed), (Renderer::AllWork, 2 * samples)] {
-            let settings = Settings {
-                renderer,
-                ..settings(sampling, 5)
-            };
-            let (_, counts) = counted(|| scene.render(&settings, &())).unwrap();
-            let works = [StepKind::CameraRay, StepKind::RandomNumber].map(|work| counts[work]);
-            assert_eq!(works, [48 * samples, 48 * needed], "{sampling:?}");
-        }
-    }
 }
 
 /// The number of finished rows; three are enough.

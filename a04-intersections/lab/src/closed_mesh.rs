@@ -1,7 +1,7 @@
 //! A closed mesh, and rays from inside that aim at its corners and edges: a ray that gets out has
 //! passed between triangles.
 
-use a02_math::{Direction, Point3, Vector3};
+use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use common::Error;
 
@@ -43,42 +43,28 @@ impl Aim {
 /// A closed surface around a middle, from where all its triangles are visible.
 pub struct ClosedMesh {
     middle: Point3,
-    /// How much it is stretched along [`AXIS`].
-    stretch: f64,
     pub triangles: Vec<Triangle>,
 }
-
-/// A leaning direction of length 1.
-const AXIS: Vector3 = Vector3::new(2.0 / 7.0, 6.0 / 7.0, 3.0 / 7.0);
 
 impl ClosedMesh {
     /// 320 triangles, whose corners are 1 to 2 away from the middle, so that all are different.
     pub fn around(middle: Point3) -> Result<Self, Error> {
-        Self::stretched(middle, 1.0)
-    }
-
-    /// The same mesh, longer by a factor, whose triangles are needles.
-    pub fn stretched(middle: Point3, stretch: f64) -> Result<Self, Error> {
         let mesh = Mesh::icosphere(2);
         let mut triangles = Vec::new();
         for face in &mesh.faces {
             let [a, b, c] = face.map(|corner| {
                 let height = Numbers::new(51, corner).between(1.0, 2.0);
-                middle + longer(mesh.corners[corner] * height, stretch)
+                middle + mesh.corners[corner] * height
             });
             triangles.push(Triangle::new(a, b, c)?);
         }
-        Ok(Self {
-            middle,
-            stretch,
-            triangles,
-        })
+        Ok(Self { middle, triangles })
     }
 
     /// The `n`-th ray from near the middle.
     pub fn ray(&self, aim: Aim, n: usize) -> Result<Ray, Error> {
         let mut numbers = Numbers::new(52, n);
-        let eye = self.middle + longer(numbers.triple(-0.1, 0.1), self.stretch);
+        let eye = self.middle + numbers.triple(-0.1, 0.1);
         let face = corners(&self.triangles[numbers.below(self.triangles.len())]);
         let side = numbers.below(3);
         let (from, to) = (face[side], face[(side + 1) % 3]);
@@ -88,9 +74,4 @@ impl ClosedMesh {
         };
         Ok(Ray::new(eye, direction)?)
     }
-}
-
-/// The vector with its part along [`AXIS`] multiplied.
-fn longer(vector: Vector3, stretch: f64) -> Vector3 {
-    vector + AXIS * (AXIS.dot(vector) * (stretch - 1.0))
 }

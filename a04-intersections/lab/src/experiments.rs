@@ -1,6 +1,5 @@
 //! Error against run time of the intersection formulas.
 
-pub mod mesh_edges;
 pub mod needle;
 pub mod sphere_distance;
 
@@ -10,8 +9,6 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         sphere_distance::far(),
         sphere_distance::near(),
-        sphere_distance::decisions(),
         needle::experiment(),
-        mesh_edges::experiment(),
     ]
 }

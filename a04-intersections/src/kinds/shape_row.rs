@@ -168,16 +168,6 @@ impl Shapes {
         own.map(table).collect()
     }
 
-    /// Whether a shape has no thickness, so that no ray that leaves it can hit it again.
-    #[must_use]
-    pub fn is_flat(self, geometry: &dyn Geometry) -> bool {
-        let kind = self.row(geometry).and_then(|row| row.get(geometry));
-        matches!(
-            kind.and_then(ShapeKind::for_engine),
-            Some(engine::Shape::Plane(_) | engine::Shape::Disc(_) | engine::Shape::Triangle(_))
-        )
-    }
-
     /// The intersection tests that a ray takes in a geometry and its children.
     #[must_use]
     pub fn tests(self, geometry: &dyn Geometry) -> u64 {

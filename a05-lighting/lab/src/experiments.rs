@@ -1,17 +1,11 @@
 //! Error against run time for lights and materials.
 
 mod facets;
-mod lambert_phase;
 mod phong;
 mod spot_rim;
 
 use measure::experiment::Experiment;
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![
-        lambert_phase::experiment(),
-        facets::experiment(),
-        phong::power(),
-        spot_rim::experiment(),
-    ]
+    vec![facets::experiment(), phong::power(), spot_rim::experiment()]
 }

@@ -1,5 +1,5 @@
 //! Reports powers, light and colours, by wrappers around materials and lights; with all work,
-//! every material computes the light of all lights, and a Phong material a power for each.
+//! every material asks all lights, and a Phong material takes a power for each.
 
 use std::cell::Cell;
 
@@ -124,19 +124,36 @@ impl Material for RecordedMaterial {
             recorded: self,
             lighting,
             is_used: Cell::new(false),
-            unneeded: Cell::new(0.0),
         };
         let color = shaded(ray, hit, self.kinds, &*self.material, || {
-            self.material.color_for(ray, hit, &light)
+            match self.kinds.as_phong(&*self.material) {
+                Some(phong) if self.takes_every_power() => {
+                    with_every_power(phong, ray, hit, &light)
+                }
+                _ => self.material.color_for(ray, hit, &light),
+            }
         });
-        if self.omissions == Omissions::ALL {
-            return color;
-        }
         if !light.is_used.get() && !self.omissions.contains(Omission::UnlitSurfaces) {
             steps::untraced(|| light.for_each_light(ray, hit, &mut |_| ()));
         }
-        color + Color::gray(0.0 * light.unneeded.get())
+        color
     }
+}
+
+/// The colour of a Phong material with the power of each light, also of one whose highlight is
+/// black or not mirrored to the eye.
+fn with_every_power(phong: &Phong, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+    let mut color = phong.matt.ambient(lighting);
+    lighting.for_each_light(ray, hit, &mut |light| {
+        let r = light.direction.reflected_on(hit.normal);
+        let cosine = (-ray.direction()).dot(r);
+        let power = power(cosine.clamp(0.0, 1.0), phong.exponent);
+        let highlight = phong.specular * light.color * power;
+        let is_mirrored = hit.normal.dot(light.direction) > 0.0 && cosine > 0.0;
+        let seen = if is_mirrored { highlight } else { Color::BLACK };
+        color += phong.matt.diffuse_term(hit, light) + seen;
+    });
+    color
 }
 
 /// Reports the nearest hit, and the colour of its material with the steps of `shade`, which
@@ -164,6 +181,11 @@ fn step(kind: StepKind, part: &str, kinds: Materials, material: &dyn Material) -
 }
 
 impl RecordedMaterial {
+    /// Whether a Phong material takes powers for highlights that nobody sees.
+    const fn takes_every_power(&self) -> bool {
+        !self.omissions.contains(Omission::UnseenHighlights)
+    }
+
     /// The ambient light that the material reflects.
     fn ambient(&self, kind: StepKind, ray: &Ray, hit: &Hit, ambient: Color) -> Step {
         let of = |ambient| self.material.color_for(ray, hit, &OneLight(ambient, None));
@@ -218,8 +240,6 @@ struct RecordedLighting<'a> {
     lighting: &'a dyn Lighting,
     /// Whether the material has used the lights.
     is_used: Cell<bool>,
-    /// The sum of the powers that the lesson leaves out, to be multiplied by 0.
-    unneeded: Cell<f64>,
 }
 
 impl Lighting for RecordedLighting<'_> {
@@ -236,14 +256,17 @@ impl Lighting for RecordedLighting<'_> {
         let recorded = self.recorded;
         let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
         self.lighting.for_each_light(ray, hit, &mut |light| {
-            if let Some(phong) = recorded.kinds.as_phong(&*recorded.material) {
-                self.count_power(phong, ray, hit, light);
-            }
-            let is_behind = hit.normal.dot(light.direction) <= 0.0;
-            if recorded.is_lit_from_behind || !is_behind {
+            let phong = recorded.kinds.as_phong(&*recorded.material);
+            let takes_every_power = phong.is_some() && recorded.takes_every_power();
+            let is_seen = phong.is_some_and(|phong| is_seen(phong, ray, hit, light));
+            steps::count(StepKind::Power, (takes_every_power || is_seen).into());
+            let is_lit = recorded.is_lit_from_behind || hit.normal.dot(light.direction) > 0.0;
+            if is_lit {
                 steps::push(StepKind::ReflectedLight, |kind| {
                     recorded.reflected(kind, ray, hit, light)
                 });
+            }
+            if is_lit || takes_every_power {
                 shade(light);
             }
         });
@@ -251,30 +274,11 @@ impl Lighting for RecordedLighting<'_> {
     }
 }
 
-impl RecordedLighting<'_> {
-    /// Counts the power that a Phong material takes for this light, by its condition. Where that
-    /// work is not left out it takes one also for a highlight that is not seen.
-    fn count_power(&self, phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) {
-        let (e, l) = (-ray.direction(), light.direction);
-        let cosine = e.dot(l.reflected_on(hit.normal));
-        let is_mirrored = hit.normal.dot(l) > 0.0 && cosine > 0.0;
-        let omissions = self.recorded.omissions;
-        let left_out_because = if !is_mirrored {
-            Some(Omission::HighlightsAway)
-        } else if phong.specular == Color::BLACK {
-            Some(Omission::BlackHighlights)
-        } else {
-            None
-        };
-        let is_left_out = left_out_because.is_some_and(|because| omissions.contains(because));
-        if !is_left_out {
-            steps::count(StepKind::Power, 1);
-        }
-        if left_out_because.is_some() && !is_left_out {
-            let unneeded = power(cosine.abs().min(1.0), phong.exponent);
-            self.unneeded.update(|sum| sum + unneeded);
-        }
-    }
+/// Whether the highlight of a light is seen, so that the lesson takes its power.
+fn is_seen(phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
+    let (e, l) = (-ray.direction(), light.direction);
+    let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;
+    is_mirrored && phong.specular != Color::BLACK
 }
 
 /// Adds to the step of each light whether it arrives at the hit, or why it does not.

@@ -5,8 +5,6 @@
 //! surfaces say which ray it is for: one to the light that has been asked last, or one that leaves
 //! the surface that has been shaded.
 
-use std::cell::Cell;
-
 use a02_math::Point3;
 use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::instruments::recorded::ray_step;
@@ -23,7 +21,7 @@ use crate::instruments::measured::MeasuredTracer;
 use crate::kinds::KINDS;
 use crate::{LightSource, RecursiveTracer, ShadowedWorld, Surface};
 
-/// A world whose work is reported, or takes less or more time than the lesson's.
+/// A world whose work is reported, or that does all work.
 pub struct RecordedWorld {
     world: ShadowedWorld,
     instruments: Instruments,
@@ -35,21 +33,17 @@ impl RecordedWorld {
     #[must_use]
     pub fn new(world: ShadowedWorld, shapes: Shapes, instruments: Instruments) -> Self {
         let omissions = instruments.omissions();
-        if let Instruments::Time(_) = instruments {
+        let surface = |surface| RecordedSurface::on(surface, omissions);
+        if instruments == Instruments::AllWork {
             return Self {
-                world: RecordedSurface::on_all(world, omissions),
+                world: materials::map_surfaces(world, surface),
                 instruments,
             };
         }
         let geometry = |number, geometry: Box<dyn Geometry>| {
-            let is_flat = shapes.is_flat(&*geometry);
-            Box::new(SearchedObject {
-                number,
-                is_flat,
-                geometry: geometries::geometry(number, geometry, shapes),
-            }) as _
+            let recorded = geometries::geometry(number, geometry, shapes);
+            Box::new(SearchedObject(recorded)) as _
         };
-        let surface = |surface| RecordedSurface::on(surface, omissions);
         let light = |(number, source): (usize, LightSource)| LightSource {
             light: Box::new(LightBeforeShadowRay(materials::light((
                 number,
@@ -66,7 +60,6 @@ impl RecordedWorld {
     /// The colour that this function of the world finds for a ray from the camera.
     pub fn color(&self, trace: impl FnOnce(&ShadowedWorld) -> Color) -> Color {
         steps::expect_ray(None);
-        SEARCH.with(|search| search.left.set(0));
         let color = trace(&self.world);
         geometries::push_background(self.world.objects().background());
         color
@@ -89,66 +82,27 @@ impl TracedWorld for RecordedWorld {
 
 /// An object of the world. The first one that is tested reports the ray of the search.
 #[derive(Debug)]
-struct SearchedObject {
-    number: usize,
-    is_flat: bool,
-    geometry: Box<dyn Geometry>,
-}
+struct SearchedObject(Box<dyn Geometry>);
 
 impl Geometry for SearchedObject {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        self.begin(ray, within);
-        let hit = self.geometry.hit(ray, within);
-        if hit.is_some() {
-            SEARCH.with(|search| search.nearest.set(self.number));
-        }
-        hit
+        begin_search(ray, within);
+        self.0.hit(ray, within)
     }
 
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
-        self.begin(ray, within);
-        self.geometry.any_hit(ray, within, &|hit| {
-            steps::count(StepKind::OccluderNormals, 1);
-            counts(hit)
-        })
+        begin_search(ray, within);
+        self.0.any_hit(ray, within, counts)
     }
 }
 
-impl SearchedObject {
-    /// Reports the ray if the search begins, and whether the ray leaves this object.
-    fn begin(&self, ray: &Ray, within: Interval) {
-        let expected = steps::take_expected_ray();
-        SEARCH.with(|search| {
-            if expected.is_some() {
-                search.left.set(search.nearest.get());
-            }
-            if self.is_flat && search.left.get() == self.number {
-                steps::count(StepKind::TestOfObjectLeft, 1);
-            }
-        });
-        match expected {
-            Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
-            Some(_) => push_reflected_ray(ray),
-            None => (),
-        }
+/// Reports the ray if a search begins.
+fn begin_search(ray: &Ray, within: Interval) {
+    match steps::take_expected_ray() {
+        Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
+        Some(_) => push_reflected_ray(ray),
+        None => (),
     }
-}
-
-/// The objects of a thread's search, by their numbers from 1; 0 is none.
-struct Search {
-    /// The nearest one so far.
-    nearest: Cell<usize>,
-    /// The one that the ray leaves.
-    left: Cell<usize>,
-}
-
-thread_local! {
-    static SEARCH: Search = const {
-        Search {
-            nearest: Cell::new(0),
-            left: Cell::new(0),
-        }
-    };
 }
 
 fn push_shadow_ray(ray: &Ray, within: Interval) {
@@ -228,12 +182,6 @@ impl RecordedSurface {
                 omissions,
             },
         })
-    }
-
-    /// Wraps all surfaces of a world, and nothing else of it.
-    #[must_use]
-    pub fn on_all(world: ShadowedWorld, omissions: Omissions) -> ShadowedWorld {
-        materials::map_surfaces(world, |surface| Self::on(surface, omissions))
     }
 }
 

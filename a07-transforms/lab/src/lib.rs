@@ -4,8 +4,9 @@
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub mod asked;
-pub mod experiments;
+mod experiments;
 mod extremes;
+pub mod nested_nodes;
 pub mod protocol;
 
 use measure::Laboratory;

@@ -1,5 +1,5 @@
 //! Nodes: a transformed shape is the shape that lies there. Ellipsoids, and points that
-//! must not shade themselves, are the extreme cases G14, G29 and G30 and the experiment `acne-under-nodes`.
+//! must not shade themselves, are the extreme cases G14, G29 and G30.
 
 use std::f64::consts::FRAC_PI_2;
 

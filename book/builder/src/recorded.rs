@@ -1,116 +1,103 @@
-//! The recordings: measured by `cargo record`, and put into the pages when the book is built.
+//! The recording: measured by `cargo record`, and put into the pages when the book is built.
 
+use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use measure::recorded::{Recordings, Texts};
+use measure::recorded::Recording;
 use serde_json::Value;
 
 use crate::command::{output, run};
 use crate::file;
 
-/// Where the recordings are, a folder for each build.
-const FOLDER: &str = "book/recordings";
+/// The recording of the book.
+const RECORDING: &str = "book/recording.csv";
 
 const PICTURES: &str = "book/src/pictures";
 
-/// The builds that are measured: what the book shows, and the one that a remark has to
-/// hold for as well.
-const BUILDS: [&str; 2] = ["fastest", "release"];
+/// Where the recorder leaves its files.
+const MEASURED: &str = "target/recording";
 
-/// What is to be measured.
+/// How it is measured.
 #[derive(clap::Args)]
 pub struct Task {
-    /// Stages or experiments, such as a04 or a04.sphere-far [default: all]
-    names: Vec<String>,
-    /// Replaces also earlier times that count as equal to the new ones
+    /// Measures in few rounds, to try the command, and leaves the book as it is
     #[arg(long)]
-    afresh: bool,
-    /// Only draws the plots of the last measurement
-    #[arg(long, conflicts_with_all = ["names", "afresh"])]
-    draw: bool,
-    /// Measures into this folder, and leaves the book as it is
-    #[arg(long, value_name = "FOLDER")]
-    into: Option<PathBuf>,
+    quick: bool,
 }
 
-/// Measures all experiments in both builds, and draws the plots.
+/// Measures all experiments in a `--release` build, and replaces recording and plots of the book.
 pub fn record(task: &Task) -> Result<(), String> {
-    if !task.draw {
-        let pinned = pinned();
-        for build in BUILDS {
-            println!("building {build}, which takes minutes");
-            let arguments = [
-                "build",
-                "--quiet",
-                "--package",
-                "book-recorder",
-                "--profile",
-                build,
-            ];
-            run(Command::new("cargo").args(arguments))?;
-            let folder = match &task.into {
-                Some(folder) => folder.join(build),
-                None => Path::new(FOLDER).join(build),
-            };
-            let program = program(build)?;
-            let mut recorder = match pinned {
-                Some(core) => {
-                    let mut taskset = Command::new("taskset");
-                    taskset.args(["--cpu-list", core]).arg(program);
-                    taskset
-                }
-                None => Command::new(program),
-            };
-            recorder.arg(&folder);
-            recorder.args(&task.names);
-            if pinned.is_some() {
-                recorder.args(["--conditions", "pinned to a core"]);
-            }
-            if task.afresh {
-                recorder.arg("--afresh");
-            }
-            run(&mut recorder)?;
-        }
+    println!("building the laboratories, which takes minutes");
+    let build = [
+        "build",
+        "--quiet",
+        "--release",
+        "--package",
+        "book-recorder",
+    ];
+    run(Command::new("cargo").args(build))?;
+    let folder = Path::new(MEASURED);
+    fs::create_dir_all(folder).map_err(file::with_path(folder))?;
+    let mut recorder = recorder()?;
+    recorder.arg(folder);
+    for (key, program, arguments) in HEAD {
+        let printed = output(Command::new(program).args(arguments))?;
+        recorder
+            .arg("--head")
+            .arg(format!("{key}: {}", printed.trim()));
     }
-    match task.into {
-        Some(_) => Ok(()),
-        None => draw(),
+    if task.quick {
+        recorder.arg("--quick");
+        run(&mut recorder)?;
+        println!("{MEASURED}/recording.csv");
+        return Ok(());
     }
+    run(&mut recorder)?;
+    let measured = file::read(&folder.join("recording.csv"))?;
+    file::write(Path::new(RECORDING), &measured)?;
+    replace_plots(folder)
 }
 
-/// The recorder of a build, beside the folder of this program.
-fn program(build: &str) -> Result<PathBuf, String> {
+/// What the head of a recording says beside machine and build, and the programs that know it.
+const HEAD: [(&str, &str, &[&str]); 3] = [
+    ("compiler", "rustc", &["--version"]),
+    ("commit", "git", &["describe", "--always", "--dirty"]),
+    ("date", "date", &["-u", "+%F"]),
+];
+
+/// The recorder, beside the folder of this program; pinned to a core, if the system has `taskset`.
+fn recorder() -> Result<Command, String> {
     let this = std::env::current_exe().map_err(|error| error.to_string())?;
     let target = this
         .ancestors()
         .nth(2)
         .ok_or("this program is in no folder")?;
     let name = format!("book-recorder{}", std::env::consts::EXE_SUFFIX);
-    Ok(target.join(build).join(name))
+    let program: PathBuf = target.join("release").join(name);
+    let pinned = ["--cpu-list", "0"];
+    if output(Command::new("taskset").args(pinned).arg("true")).is_err() {
+        return Ok(Command::new(program));
+    }
+    let mut taskset = Command::new("taskset");
+    taskset.args(pinned).arg(program);
+    Ok(taskset)
 }
 
-/// The core to which a program can be pinned, if the system has `taskset`.
-fn pinned() -> Option<&'static str> {
-    output(Command::new("taskset").args(["--cpu-list", "0", "true"]))
-        .ok()
-        .map(|_| "0")
-}
-
-/// Draws each plot of the recordings that is in the folder of pictures, or on a page.
-fn draw() -> Result<(), String> {
-    let texts = Texts::read(Path::new(FOLDER))?;
+/// Copies each measured plot that is on a page.
+fn replace_plots(folder: &Path) -> Result<(), String> {
     let mut pages = String::new();
     for path in file::files_below(Path::new("book/src"))? {
         if file::has_extension(&path, "md") {
             pages += &file::read(&path)?;
         }
     }
-    for plot in texts.recordings()?.plots() {
-        if pages.contains(&format!("](pictures/{})", plot.name)) {
-            file::write(&Path::new(PICTURES).join(&plot.name), &plot.svg)?;
-            println!("{PICTURES}/{}", plot.name);
+    for path in file::files_below(folder)? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if pages.contains(&format!("](pictures/{name})")) {
+            file::write(&Path::new(PICTURES).join(&*name), &file::read(&path)?)?;
+            println!("{PICTURES}/{name}");
         }
     }
     Ok(())
@@ -125,27 +112,27 @@ pub fn preprocess() -> Result<(), String> {
     let json: Value = serde_json::from_str(&json).map_err(|error| error.to_string())?;
     // The first of the two values is the configuration.
     let mut book = json.get(1).ok_or("mdBook gave no book")?.clone();
-    let texts = Texts::read(Path::new(FOLDER))?;
-    fill(&mut book, &texts.recordings()?)?;
+    let text = file::read(Path::new(RECORDING))?;
+    fill(&mut book, &Recording::parse(&text)?)?;
     println!("{book}");
     Ok(())
 }
 
 /// Fills the anchors of all chapters in a value of the book.
-fn fill(value: &mut Value, recordings: &Recordings) -> Result<(), String> {
+fn fill(value: &mut Value, recording: &Recording) -> Result<(), String> {
     match value {
         Value::Array(items) => {
             for item in items {
-                fill(item, recordings)?;
+                fill(item, recording)?;
             }
         }
         Value::Object(fields) => {
             for (name, field) in fields.iter_mut() {
                 match field {
                     Value::String(text) if name == "content" => {
-                        *text = recordings.fill(text).map_err(|error| error.why)?;
+                        *text = recording.fill(text)?;
                     }
-                    _ => fill(field, recordings)?,
+                    _ => fill(field, recording)?,
                 }
             }
         }

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use serde_json::Value;
+
 use crate::command::not_started;
 use crate::live_module::{FLAGS, TARGET, write_as_script};
 
@@ -122,16 +124,12 @@ fn build_module(stage: &str, names: &[&str], messages: Stdio) -> Result<Option<P
         .ok_or_else(|| format!("cargo names no module of {stage}"))
 }
 
-/// The file that cargo has built, if this message is about a test. The message is JSON, of which two
-/// keys are looked for: a reader of JSON would take each student's build longer than this book's.
+/// The file that cargo has built, if this message in JSON is about a test.
 fn executable_of_test(message: &str) -> Option<PathBuf> {
-    if !message.contains(r#""kind":["test"]"#) {
-        return None;
-    }
-    let (_, after) = message.split_once(r#""executable":""#)?;
-    let (path, _) = after.split_once('"')?;
-    // Of the characters that JSON escapes, only the backslash stands in paths.
-    Some(PathBuf::from(path.replace(r"\\", r"\")))
+    let message: Value = serde_json::from_str(message).ok()?;
+    let is_test = message["target"]["kind"][0] == "test";
+    let executable = message["executable"].as_str().filter(|_| is_test);
+    executable.map(PathBuf::from)
 }
 
 #[cfg(test)]

@@ -1,42 +1,44 @@
-//! The lesson and the engine beside each other: the same picture, in other times.
+//! The three renderers beside each other: the same picture, in other times.
 
-use common::{Error, Image, Renderer, Scene};
+use common::{Error, Image, Renderer, Scene, difference};
 use measure::experiment::{Curve, Errors, Experiment, Point, Times};
 
-/// The scenes that are rendered by both.
-pub const SCENES: [&str; 7] = [
-    "striped-sky",
-    "scene-5",
-    "phong",
-    "sphere",
-    "aab",
-    "box-transformations",
-    "disc",
+/// The scenes that are rendered by all three, each with the name of its experiment.
+const SCENES: [(&str, &str); 7] = [
+    ("striped-sky", "render-striped-sky"),
+    ("scene-5", "render-scene-5"),
+    ("phong", "render-phong"),
+    ("sphere", "render-sphere"),
+    ("aab", "render-aab"),
+    ("box-transformations", "render-box-transformations"),
+    ("disc", "render-disc"),
 ];
 
-/// Both renderers for a scene as it is, with the differences of their pictures as errors.
-pub fn experiment<'a>(name: &'a str, scene: &'a Scene) -> Experiment<'a> {
-    Experiment {
-        question: "How long do the lesson and the engine take for one picture?",
+/// The renderers for a scene as it is, with the differences of their pictures as errors; none for a
+/// scene that is not compared.
+pub fn experiment(scene: &Scene) -> Option<Experiment<'_>> {
+    let (_, name) = SCENES.iter().find(|(of, _)| *of == scene.name)?;
+    Some(Experiment {
+        question: "How long do the three renderers take for one picture?",
         parameter: "samples per pixel",
         work: "pixels",
         error: "rms difference of a channel",
         exact: "against the picture of the lesson",
         curves: Box::new(move |_| curves(scene).unwrap_or_default()),
         ..Experiment::new(name)
-    }
+    })
 }
 
 fn curves(scene: &Scene) -> Result<Vec<Curve<'_>>, Error> {
     let picture = rendered(scene, Renderer::Lesson)?;
     let mut curves = Vec::new();
-    for (name, renderer) in [("lesson", Renderer::Lesson), ("engine", Renderer::Engine)] {
+    for (name, renderer) in [
+        ("lesson", Renderer::Lesson),
+        ("engine", Renderer::Engine),
+        ("all work", Renderer::AllWork),
+    ] {
         let own = rendered(scene, renderer)?;
-        let mut differences = Vec::new();
-        for (color, of_lesson) in own.pixels().iter().zip(picture.pixels()) {
-            let pairs = color.channels().into_iter().zip(of_lesson.channels());
-            differences.extend(pairs.map(|(channel, exact)| channel - exact));
-        }
+        let differences = difference::of_channels(&own, &picture);
         curves.push(Curve::new(
             name,
             [Point {

@@ -3,6 +3,8 @@
 use std::fmt::Write;
 use std::num::ParseFloatError;
 
+use common::text::number;
+
 use crate::answer::{Part, Value};
 use crate::{Answer, Tolerance};
 
@@ -12,12 +14,6 @@ const NAME: &str = " = ";
 const TOLERANCE: &str = " ~ ";
 
 const ROUNDING_DECIDES: &str = "rounding decides";
-
-/// A number with as many digits as tell it apart.
-fn number(x: f64) -> String {
-    let text = format!("{x:?}");
-    text.strip_suffix(".0").unwrap_or(&text).to_owned()
-}
 
 /// Numbers, one after the other.
 pub fn numbers(all: &[f64]) -> String {

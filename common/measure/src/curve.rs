@@ -4,9 +4,10 @@ use std::hint::black_box;
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
+use common::text;
+
 use crate::deviation::{Deviation, Problem};
 use crate::point::{Errors, Point, Times};
-use crate::report::compact;
 
 /// A method at all values of the parameter.
 ///
@@ -132,10 +133,10 @@ impl<'a> Curve<'a> {
         let greatest = worst.problem.error_over_condition;
         let of_the_hardest = hardest.problem.error_over_condition;
         Some(if greatest > 10.0 {
-            let at = compact(worst.parameter);
+            let at = text::rounded(worst.parameter, 5);
             format!("up to {greatest:.0e} {unit}, at {at}: the formula is to blame")
         } else if of_the_hardest < 0.1 {
-            let at = compact(hardest.parameter);
+            let at = text::rounded(hardest.parameter, 5);
             format!("{of_the_hardest:.0e} {unit} at {at}, the hardest: neither is to blame")
         } else {
             format!("at most {greatest:.2} {unit}: the problem is to blame")

@@ -122,19 +122,6 @@ impl<'a> Experiment<'a> {
         }
         curve.fit(self.against)
     }
-
-    /// Whether half a grey level is a mark for these errors: they are of light, and a
-    /// method exists whose error falls as its work grows.
-    pub fn can_be_seen(&self, curves: &[Curve]) -> bool {
-        self.unit == Unit::Light && curves.iter().any(falls_with_work)
-    }
-}
-
-fn falls_with_work(curve: &Curve) -> bool {
-    match &curve.points[..] {
-        [coarse, .., fine] => coarse.work < fine.work && fine.errors.rms < coarse.errors.rms,
-        _ => false,
-    }
 }
 
 /// The largest deviation of a measured slope from theory.

@@ -23,11 +23,9 @@ pub mod fit;
 mod front;
 mod interval;
 mod laboratory;
-#[cfg(not(target_family = "wasm"))]
-pub mod left_out_report;
 mod plot;
 mod point;
-mod provenance;
+pub mod provenance;
 pub mod recorded;
 pub mod report;
 pub mod scene_report;

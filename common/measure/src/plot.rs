@@ -1,39 +1,13 @@
-//! Log-log plots of error against work and against time, as SVG.
-//!
-//! The names of the curves stand beside the plot, in the order of the curves' ends, so
-//! that they cover no data (E. R. Tufte, The Visual Display of Quantitative Information,
-//! 1983; W. S. Cleveland, The Elements of Graphing Data, 1985).
+//! The plots of an experiment: error against its work or parameter, and error against time.
 
 mod axis;
-mod precision;
-mod series;
+mod diagram;
 
-use common::svg::{Svg, color};
+use common::{Median, text};
 
-use crate::experiment::{Axis, HALF_GREY_LEVEL};
+use crate::experiment::{Axis, Curve, Curves, Interval, Point};
 use crate::report::Measured;
-
-use axis::{AxisLabel, LogAxis};
-use series::{LimitPoint, Series, SeriesPoint};
-
-/// The size of the picture, and the sides of the plot in it, in pixels.
-const SIZE: [f64; 2] = [780.0, 468.0];
-const LEFT: f64 = 70.0;
-const RIGHT: f64 = 566.0;
-const TOP: f64 = 88.0;
-const BOTTOM: f64 = 400.0;
-
-/// Height of the strip below the axis for errors of 0.
-const STRIP: f64 = 34.0;
-
-/// Where errors of 0 lie in this strip.
-const ZERO: f64 = BOTTOM - 10.0;
-
-/// Height of a label beside the plot, with its remark.
-const LABEL: f64 = 31.0;
-
-/// The rounding of numbers near 1, at which curves become level.
-const ROUNDING: f64 = f64::EPSILON;
+use diagram::{Diagram, Mark};
 
 /// A plot as a file.
 pub struct Plot {
@@ -43,222 +17,154 @@ pub struct Plot {
     pub svg: String,
 }
 
-/// The plots of an experiment: error against counted work or the parameter, and error against time
-/// with the fronts; or against the opposite mistake, if there is one.
+/// A unit of time, in seconds.
+struct TimeUnit {
+    name: &'static str,
+    seconds: f64,
+}
+
+const TIME_UNITS: [TimeUnit; 4] = [
+    TimeUnit {
+        name: "s",
+        seconds: 1.0,
+    },
+    TimeUnit {
+        name: "ms",
+        seconds: 1e-3,
+    },
+    TimeUnit {
+        name: "µs",
+        seconds: 1e-6,
+    },
+    TimeUnit {
+        name: "ns",
+        seconds: 1e-9,
+    },
+];
+
+/// The plots of an experiment: error against work or parameter, and error against time, or against
+/// the opposite mistake if there is one.
 pub fn plots(measured: &Measured, opposite: Option<&Measured>) -> [Plot; 2] {
+    let against_time = match opposite {
+        Some(opposite) => of_mistakes(measured, opposite),
+        None => by_time(measured),
+    };
     [
         Plot {
             ending: ".svg",
-            svg: draw(measured),
+            svg: by_work(measured).draw(&measured.curves),
         },
         Plot {
             ending: "-time.svg",
-            svg: precision::diagram(measured, opposite),
+            svg: against_time.draw(&measured.curves),
         },
     ]
 }
 
-/// Draws error against counted work or the parameter.
-fn draw(measured: &Measured) -> String {
-    let experiment = &measured.experiment;
-    let label = match experiment.against {
-        Axis::Work => experiment.work,
-        Axis::Parameter => experiment.parameter,
+/// Error against counted work or the parameter.
+fn by_work(measured: &Measured) -> Diagram {
+    let e = &measured.experiment;
+    let marks = measured.points().map(|(curve, point)| {
+        let x = point.on(e.against);
+        Mark::new(curve, [x; 3], point)
+    });
+    Diagram {
+        title: e.question.to_owned(),
+        remark: e.exact.to_owned(),
+        x: match e.against {
+            Axis::Work => e.work.to_owned(),
+            Axis::Parameter => e.parameter.to_owned(),
+        },
+        y: format!("{} ({})", e.error, e.unit),
+        is_wide: true,
+        has_curves: true,
+        marks: marks.collect(),
+    }
+}
+
+/// Error against time. Where the parameter changes the problem, a curve leads from easy problems to
+/// hard ones.
+fn by_time(measured: &Measured) -> Diagram {
+    let e = &measured.experiment;
+    let unit = time_unit(measured);
+    let marks = measured.points().map(|(curve, point)| {
+        let Median { low, value, high } = point.times.seconds;
+        let ends = [low, value, high].map(|seconds| seconds / unit.seconds);
+        Mark::new(curve, ends, point)
+    });
+    let task = match size_of_task(measured) {
+        Some(work) => format!(" for {} {}", text::rounded(work, 5), e.work),
+        None => String::new(),
     };
-    let series = series::by_work(measured);
-    let visible = experiment
-        .can_be_seen(&measured.curves)
-        .then_some(HALF_GREY_LEVEL);
-    let mut drawing = Drawing::new(experiment.question, &series, visible);
-    let error = format!("{} ({})", experiment.error, experiment.unit);
-    let svg = &mut drawing.svg;
-    svg.text("title", [14.0, 28.0], experiment.question);
-    svg.text("small", [14.0, 47.0], experiment.exact);
-    svg.text("", [14.0, TOP - 15.0], &error);
-    svg.text("middle", [f64::midpoint(LEFT, RIGHT), BOTTOM + 40.0], label);
-    drawing.draw_axes();
-    if let Some(level) = visible {
-        drawing.draw_level(level, "half a grey level", "1/510");
+    Diagram {
+        title: e.question.to_owned(),
+        remark: String::new(),
+        x: format!("processor time{task} ({})", unit.name),
+        y: format!("{} ({})", e.error, e.unit),
+        is_wide: e.against == Axis::Parameter && e.curves_are == Curves::Methods,
+        has_curves: true,
+        marks: marks.collect(),
     }
-    if drawing.y.holds(ROUNDING) {
-        drawing.draw_level(ROUNDING, "rounding of 1", "2⁻⁵²");
-    }
-    for (index, one) in series.iter().enumerate() {
-        let mut earlier = series[..index].iter();
-        if earlier.all(|other| other.limit != one.limit) {
-            drawing.draw_limit(one.name, &one.limit);
-        }
-        drawing.draw_curve(index, one);
-    }
-    drawing.draw_labels();
-    drawing.svg.finish()
 }
 
-/// A plot that is being drawn.
-struct Drawing<'a> {
-    svg: Svg,
-    x: LogAxis,
-    y: LogAxis,
-    /// The lower end of the vertical axis, above the strip for errors of 0 if there are any.
-    bottom: f64,
-    labels: Vec<Label<'a>>,
-}
-
-/// A name beside the plot.
-struct Label<'a> {
-    /// The height at which it should stand.
-    height: f64,
-    name: &'a str,
-    remark: &'a str,
-    /// The class of its line.
-    class: String,
-    /// The number of its curve, which has a mark.
-    curve: Option<usize>,
-}
-
-impl<'a> Drawing<'a> {
-    /// An empty plot, whose axes hold all points and the level below which errors are not seen.
-    fn new(title: &str, series: &[Series], visible: Option<f64>) -> Self {
-        let (mut along, mut up) = (Vec::new(), Vec::new());
-        let mut has_zeros = false;
-        for point in series.iter().flat_map(|one| &one.points) {
-            along.push(point.x);
-            if point.error == 0.0 {
-                has_zeros = true;
-            } else {
-                up.push(point.error);
-            }
-        }
-        up.extend(visible);
-        for limit in series.iter().flat_map(|one| &one.limit) {
-            up.push(limit.error);
-        }
-        let bottom = if has_zeros { BOTTOM - STRIP } else { BOTTOM };
-        Self {
-            svg: Svg::new(SIZE, title),
-            x: LogAxis::new(&along, LEFT, RIGHT),
-            y: LogAxis::new(&up, bottom, TOP),
-            bottom,
-            labels: Vec::new(),
-        }
-    }
-
-    fn draw_axes(&mut self) {
-        let (svg, bottom) = (&mut self.svg, self.bottom);
-        for AxisLabel { number, text } in self.y.labels() {
-            let y = self.y.at(number);
-            svg.line("grid", &[[LEFT, y], [RIGHT, y]]);
-            svg.text("end", [LEFT - 8.0, y + 4.5], &text);
-        }
-        for AxisLabel { number, text } in self.x.labels() {
-            let x = self.x.at(number);
-            svg.line("grid", &[[x, TOP], [x, bottom]]);
-            svg.text("middle", [x, BOTTOM + 19.0], &text);
-        }
-        svg.line("", &[[LEFT, TOP], [LEFT, bottom]]);
-        svg.line("", &[[LEFT, BOTTOM], [RIGHT, BOTTOM]]);
-        if bottom < BOTTOM {
-            svg.line("grid", &[[LEFT, ZERO], [RIGHT, ZERO]]);
-            svg.text("end", [LEFT - 8.0, ZERO + 4.5], "0");
-            // Two strokes: here the axis is broken.
-            for y in [bottom, bottom + 5.0] {
-                svg.line("", &[[LEFT - 5.0, y + 3.0], [LEFT + 5.0, y - 3.0]]);
-            }
-        }
-    }
-
-    /// The height of an error. One of 0 lies in the strip below the axis.
-    fn height(&self, error: f64) -> f64 {
-        if error == 0.0 { ZERO } else { self.y.at(error) }
-    }
-
-    /// A level line at an error.
-    fn draw_level(&mut self, error: f64, name: &'a str, remark: &'a str) {
-        let y = self.y.at(error);
-        self.svg.line("level", &[[LEFT, y], [RIGHT, y]]);
-        self.labels.push(Label {
-            height: y,
-            name,
-            remark,
-            class: "level".to_owned(),
-            curve: None,
-        });
-    }
-
-    /// The errors that the problem itself has, with the method's name.
-    fn draw_limit(&mut self, method: &'a str, limit: &[LimitPoint]) {
-        let mut line = Vec::new();
-        for point in limit {
-            line.push([self.x.at(point.x), self.y.at(point.error)]);
-        }
-        if let Some([_, end]) = line.last() {
-            self.svg.line("level", &line);
-            self.labels.push(Label {
-                height: *end,
-                name: "condition · ulp",
-                remark: method,
-                class: "level".to_owned(),
-                curve: None,
+/// The greatest fractions of two opposite mistakes.
+fn of_mistakes(measured: &Measured, opposite: &Measured) -> Diagram {
+    let greatest = |curve: &Curve| {
+        let points = curve.points.iter().map(|point| point.errors);
+        points.max_by(|a, b| a.rms.total_cmp(&b.rms))
+    };
+    let mut marks = Vec::new();
+    for (index, curve) in measured.curves.iter().enumerate() {
+        let other = opposite.curve(curve.method).and_then(greatest);
+        if let (Some(x), Some(y)) = (greatest(curve), other) {
+            marks.push(Mark {
+                curve: index,
+                x: x.rms,
+                x_ends: x.interval,
+                y: y.rms,
+                y_ends: y.interval,
             });
         }
     }
-
-    /// A method: a line through its points, and each point with its mark and its interval.
-    fn draw_curve(&mut self, index: usize, series: &'a Series) {
-        let class = format!("curve {}", color(index));
-        // No line leads to an error of 0, which lies infinitely far below.
-        for part in series.points.split(|point| point.error == 0.0) {
-            let mut line = Vec::new();
-            for point in part {
-                line.push([self.x.at(point.x), self.height(point.error)]);
-            }
-            self.svg.line(&class, &line);
-        }
-        if let Some(ends) = series.fitted {
-            let line = ends.map(|end| [self.x.at(end.x), self.y.at(end.error)]);
-            self.svg.line(&format!("fit {}", color(index)), &line);
-        }
-        let mut last: Option<&SeriesPoint> = None;
-        for point in &series.points {
-            let y = self.height(point.error);
-            self.svg.mark(index, [self.x.at(point.x), y]);
-            if last.is_none_or(|last| point.x >= last.x) {
-                last = Some(point);
-            }
-        }
-        let is_exact = last.is_some() && series.points.iter().all(|point| point.error == 0.0);
-        self.labels.push(Label {
-            height: last.map_or(self.bottom, |last| self.height(last.error)),
-            name: series.name,
-            remark: if is_exact { "no error" } else { &series.remark },
-            class,
-            curve: Some(index),
-        });
+    Diagram {
+        title: measured.experiment.question.to_owned(),
+        remark: String::new(),
+        x: measured.experiment.error.to_owned(),
+        y: opposite.experiment.error.to_owned(),
+        is_wide: false,
+        has_curves: false,
+        marks,
     }
+}
 
-    /// Draws the labels beside the plot, each as near to its height as the others allow.
-    fn draw_labels(&mut self) {
-        let mut labels = std::mem::take(&mut self.labels);
-        labels.sort_by(|a, b| a.height.total_cmp(&b.height));
-        // From above, each is moved below the one before it; then those that are too low, upwards.
-        let mut least = TOP;
-        for label in &mut labels {
-            label.height = label.height.max(least);
-            least = label.height + LABEL;
-        }
-        let mut most = BOTTOM;
-        for label in labels.into_iter().rev() {
-            let y = label.height.min(most);
-            most = y - LABEL;
-            let svg = &mut self.svg;
-            svg.line(&label.class, &[[RIGHT + 12.0, y], [RIGHT + 34.0, y]]);
-            if let Some(index) = label.curve {
-                svg.mark(index, [RIGHT + 23.0, y]);
-            }
-            svg.text("", [RIGHT + 41.0, y + 4.5], label.name);
-            svg.text("small", [RIGHT + 41.0, y + 18.0], label.remark);
+impl Mark {
+    /// The error of a point of a curve, at these coordinates: the low end, the value, the high end.
+    const fn new(curve: usize, [low, x, high]: [f64; 3], point: &Point) -> Self {
+        Self {
+            curve,
+            x,
+            x_ends: Interval { low, high },
+            y: point.errors.rms,
+            y_ends: point.errors.interval,
         }
     }
+}
+
+/// The greatest unit in which no time is below 1; else nanoseconds.
+fn time_unit(measured: &Measured) -> &'static TimeUnit {
+    let times = measured
+        .points()
+        .map(|(_, point)| point.times.seconds.value);
+    let least = times.fold(f64::INFINITY, f64::min);
+    let is_enough = |unit: &&TimeUnit| least >= unit.seconds;
+    TIME_UNITS.iter().find(is_enough).unwrap_or(&TIME_UNITS[3])
+}
+
+/// The work of all points, if it is the same.
+fn size_of_task(measured: &Measured) -> Option<f64> {
+    let (_, first) = measured.points().next()?;
+    let is_same = measured.points().all(|(_, point)| point.work == first.work);
+    is_same.then_some(first.work)
 }
 
 #[cfg(test)]

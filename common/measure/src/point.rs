@@ -37,18 +37,12 @@ pub struct Errors {
     pub rms: f64,
     /// The interval that holds the root mean square error of all inputs with 95 %.
     pub interval: Interval,
-    /// The least error that 99 of a hundred do not exceed: in units in the last place of the
-    /// exact value, if these are known; otherwise in the unit of the experiment. None of fewer than
-    /// 200 errors, of which it would be nearly the greatest.
-    pub p99: Option<f64>,
-    /// The greatest error, in the same unit as [`p99`](Self::p99); none of decisions.
+    /// The greatest error: in units in the last place of the exact value, if these are known; otherwise
+    /// in the unit of the experiment. None of decisions.
     pub max: Option<f64>,
     /// The errors that the problem itself has, if its condition is known.
     pub problem: Option<Problem>,
 }
-
-/// The fewest errors of which 99 % say more than the greatest.
-const ENOUGH_FOR_P99: usize = 200;
 
 impl Errors {
     /// The sum of these errors, of which there is at least one: one for each input.
@@ -63,15 +57,10 @@ impl Errors {
         errors: impl IntoIterator<Item: Into<Deviation>>,
     ) -> Self {
         let all: Vec<Deviation> = errors.into_iter().map(Into::into).collect();
-        let mut sizes: Vec<f64> = all.iter().map(Deviation::size).collect();
-        sizes.sort_by(f64::total_cmp);
-        let rank_of_p99 = (0.99 * sizes.len() as f64).ceil() as usize;
-        let p99 = sizes.get(rank_of_p99.saturating_sub(1));
         Self {
             rms: rms(all.iter().map(|one| one.error)),
             interval: interval::of_rms(&all, errors_per_input),
-            p99: p99.copied().filter(|_| sizes.len() >= ENOUGH_FOR_P99),
-            max: sizes.last().copied(),
+            max: all.iter().map(Deviation::size).max_by(f64::total_cmp),
             problem: Problem::of(&all),
         }
     }
@@ -82,7 +71,6 @@ impl Errors {
         Self {
             rms: fraction,
             interval: interval::of_fraction(fraction, decisions),
-            p99: None,
             max: None,
             problem: None,
         }
@@ -122,15 +110,6 @@ impl<'a> Times<'a> {
             run: Box::new(move || drop(black_box(run()))),
             seconds: Median::of(Vec::new()),
             over_first: None,
-        }
-    }
-
-    /// Times that are known, without a run.
-    pub(crate) fn recorded(seconds: Median, over_first: Option<Median>) -> Self {
-        Self {
-            seconds,
-            over_first,
-            ..Self::of(|| ())
         }
     }
 

@@ -1,20 +1,18 @@
 //! The report of an experiment: table, CSV and plots.
 
 mod csv;
-mod parse;
 mod table;
 
 use std::path::{Path, PathBuf};
 
 use common::{Error, Median, atomic_file};
 
-use crate::experiment::{Curve, Curves, Experiment};
-use crate::front::EQUAL_TIMES;
-use crate::provenance::Provenance;
-use crate::{Effort, plot};
+use crate::Effort;
+use crate::experiment::{Curve, Curves, Experiment, Point};
+use crate::plot;
+use crate::provenance;
 
-pub use parse::NotRecorded;
-pub(crate) use table::compact;
+pub use csv::{Named, csv};
 
 /// An experiment with its errors and times.
 pub struct Measured<'a> {
@@ -22,8 +20,6 @@ pub struct Measured<'a> {
     pub experiment: Experiment<'a>,
     /// The methods with their errors and times.
     pub curves: Vec<Curve<'a>>,
-    /// The machine and the build.
-    pub provenance: Provenance,
 }
 
 /// The least processor time of a measurement in seconds, for which short runs are repeated.
@@ -37,22 +33,13 @@ const ENOUGH_TIME: f64 = 6.0;
 const MOST_RUNS: f64 = 1e4;
 
 impl<'a> Measured<'a> {
-    /// Measures errors, then times, in 9 rounds or 15 of full effort.
+    /// Measures errors, then times in a number of rounds, or in fewer if these take long. In each round
+    /// all methods take turns at each value of the parameter, so that other load on the machine affects
+    /// them equally.
     ///
     /// Calls `progress` with the number of measured times and their total, before
     /// the first measurement and after each.
     pub fn new(
-        experiment: Experiment<'a>,
-        effort: Effort,
-        progress: impl FnMut(usize, usize),
-    ) -> Self {
-        Self::in_rounds(experiment, effort, effort.choose(9, 15), progress)
-    }
-
-    /// Measures errors, then times in a number of rounds, or in fewer if these take long. In each round
-    /// all methods take turns at each value of the parameter, so that other load on the machine affects
-    /// them equally.
-    pub fn in_rounds(
         experiment: Experiment<'a>,
         effort: Effort,
         rounds: usize,
@@ -69,12 +56,11 @@ impl<'a> Measured<'a> {
         let points: usize = times.iter().map(Vec::len).sum();
         let (mut done, all) = (0, rounds * points);
         progress(done, all);
-        let (mut measured_rounds, mut total) = (0, 0.0);
+        let mut total = 0.0;
         for round in 0..rounds {
             if round >= FEWEST_ROUNDS && total > ENOUGH_TIME {
                 break;
             }
-            measured_rounds += 1;
             for p in 0..longest {
                 for turn in 0..curves.len() {
                     // Another one begins each time, because the first may find caches empty.
@@ -96,68 +82,61 @@ impl<'a> Measured<'a> {
                 }
             }
         }
-        for (c, of_curve) in times.iter().enumerate() {
-            for (p, own) in of_curve.iter().enumerate() {
-                let over_first = shares_parameter(&experiment, &curves, c, p)
-                    .then(|| Median::of_quotients(&own.seconds, &times[0][p].seconds));
-                let point = &mut curves[c].points[p];
-                point.times.seconds = Median::of(own.seconds.clone());
-                point.times.over_first = over_first;
-            }
-        }
-        let mut measured = Self {
-            experiment,
-            curves,
-            provenance: Provenance::here(measured_rounds),
-        };
-        measured.derive_seconds();
+        let mut measured = Self { experiment, curves };
+        measured.set_times(&times);
         measured
     }
 
-    /// The times of all methods but the first follow from those of the first and the quotients, so
-    /// that times and quotients say the same.
-    fn derive_seconds(&mut self) {
-        let Some((first, others)) = self.curves.split_first_mut() else {
-            return;
-        };
-        for curve in others {
-            for (point, of_first) in curve.points.iter_mut().zip(&first.points) {
-                if let Some(Median { low, value, high }) = point.times.over_first {
-                    let unit = of_first.times.seconds.value;
-                    point.times.seconds = Median {
-                        low: low * unit,
-                        value: value * unit,
-                        high: high * unit,
-                    };
-                }
+    /// Takes the medians of measured times. Those of all methods but the first follow from the times of
+    /// the first and the quotients of the rounds, so that times and quotients say the same.
+    fn set_times(&mut self, times: &[Vec<PointTimes>]) {
+        for (c, of_curve) in times.iter().enumerate() {
+            for (p, own) in of_curve.iter().enumerate() {
+                let quotient = self
+                    .shares_parameter(c, p)
+                    .then(|| Median::of_quotients(&own.seconds, &times[0][p].seconds));
+                let seconds = match quotient {
+                    Some(Median { low, value, high }) => {
+                        let unit = self.curves[0].points[p].times.seconds.value;
+                        Median {
+                            low: low * unit,
+                            value: value * unit,
+                            high: high * unit,
+                        }
+                    }
+                    None => Median::of(own.seconds.clone()),
+                };
+                let times = &mut self.curves[c].points[p].times;
+                (times.seconds, times.over_first) = (seconds, quotient);
             }
         }
     }
 
-    /// Takes over the times of an earlier measurement that count as equal to these, so that what
-    /// differs has changed.
-    pub fn keep(&mut self, earlier: &Measured) {
-        for (c, curve) in self.curves.iter_mut().enumerate() {
-            let same = |other: &&Curve| other.method == curve.method;
-            let Some(of_method) = earlier.curves.iter().find(same) else {
-                continue;
-            };
-            for point in &mut curve.points {
-                let same = |other: &&crate::experiment::Point| other.parameter == point.parameter;
-                let Some(before) = of_method.points.iter().find(same) else {
-                    continue;
-                };
-                match (&mut point.times.over_first, before.times.over_first) {
-                    (Some(now), Some(before)) if are_equal(now, &before) => *now = before,
-                    _ => {}
-                }
-                let has_no_quotient = c == 0 || point.times.over_first.is_none();
-                if has_no_quotient && are_equal(&point.times.seconds, &before.times.seconds) {
-                    point.times.seconds = before.times.seconds;
-                }
-            }
-        }
-        self.derive_seconds();
+    /// Whether the first method has a point at the same value of the parameter, to be compared with.
+    fn shares_parameter(&self, c: usize, p: usize) -> bool {
+        let first = self.curves[0].points.get(p);
+        let is_comparable = c > 0 && self.experiment.curves_are == Curves::Methods;
+        let parameter = self.curves[c].points[p].parameter;
+        is_comparable && first.is_some_and(|first| first.parameter == parameter)
+    }
+
+    /// All points, each with the number of its curve.
+    pub(crate) fn points(&self) -> impl Iterator<Item = (usize, &Point<'a>)> {
+        let curves = self.curves.iter().enumerate();
+        curves.flat_map(|(c, curve)| curve.points.iter().map(move |point| (c, point)))
+    }
+
+    /// The curve of a method.
+    pub(crate) fn curve(&self, method: &str) -> Option<&Curve<'a>> {
+        self.curves.iter().find(|curve| curve.method == method)
+    }
+
+    /// All values of the parameter, from small to large.
+    pub(crate) fn parameters(&self) -> Vec<f64> {
+        let mut all: Vec<_> = self.points().map(|(_, point)| point.parameter).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
     }
 
     /// Writes CSV and plots into a folder that exists, and returns their paths.
@@ -167,14 +146,28 @@ impl<'a> Measured<'a> {
         stage: &str,
         opposite: Option<&Self>,
     ) -> Result<Vec<PathBuf>, Error> {
-        let mut files = vec![(CSV, self.csv())];
-        for plot in plot::plots(self, opposite) {
-            files.push((plot.ending, plot.svg));
-        }
+        let all = [Named {
+            name: self.experiment.name.to_owned(),
+            measured: self,
+        }];
+        let path = file(&self.experiment, folder, stage, CSV);
+        atomic_file::write(&path, csv(&provenance::here(), &all).as_bytes())?;
+        let mut paths = vec![path];
+        paths.extend(self.write_plots(folder, stage, opposite)?);
+        Ok(paths)
+    }
+
+    /// Writes the plots into a folder that exists, and returns their paths.
+    pub fn write_plots(
+        &self,
+        folder: &Path,
+        stage: &str,
+        opposite: Option<&Self>,
+    ) -> Result<Vec<PathBuf>, Error> {
         let mut paths = Vec::new();
-        for (ending, text) in files {
-            let path = file(&self.experiment, folder, stage, ending);
-            atomic_file::write(&path, text.as_bytes())?;
+        for plot in plot::plots(self, opposite) {
+            let path = file(&self.experiment, folder, stage, plot.ending);
+            atomic_file::write(&path, plot.svg.as_bytes())?;
             paths.push(path);
         }
         Ok(paths)
@@ -195,19 +188,6 @@ pub fn opposite_of<'m, 'a>(
 struct PointTimes {
     runs: u32,
     seconds: Vec<f64>,
-}
-
-/// Whether the first method has a point at the same value of the parameter.
-fn shares_parameter(experiment: &Experiment, curves: &[Curve], c: usize, p: usize) -> bool {
-    let first = curves[0].points.get(p);
-    let is_comparable = c > 0 && experiment.curves_are == Curves::Methods;
-    is_comparable && first.is_some_and(|first| first.parameter == curves[c].points[p].parameter)
-}
-
-/// Whether two measurements of a time count as equal: their intervals overlap, or are so near to
-/// each other that other work on the machine explains it.
-fn are_equal(a: &Median, b: &Median) -> bool {
-    a.low <= EQUAL_TIMES * b.high && b.low <= EQUAL_TIMES * a.high
 }
 
 /// An error if the report of an experiment cannot be written; for a check before

@@ -1,10 +1,10 @@
-//! `Comparison`: a picture by the chosen renderer and by the one that skips no
-//! work, the work of both, and the work that no renderer can leave out.
+//! `Comparison`: the work of the chosen renderer for a picture, and that of the renderer that leaves
+//! out nothing.
 
 use std::fmt::{self, Write};
 
-use common::steps::{Counts, StepKind, counted, counted_needed};
-use common::{Error, Image, Renderer, Scene, Settings};
+use common::steps::{Counts, StepKind, counted};
+use common::{Error, Renderer, Scene, Settings, difference};
 
 /// A kind of work that a renderer may leave out.
 pub struct Work {
@@ -19,54 +19,42 @@ const fn work(kind: StepKind, name: &'static str) -> Work {
 }
 
 /// All kinds, in the order of the table.
-pub const WORK: [Work; 7] = [
+pub const WORK: [Work; 6] = [
     work(StepKind::CameraRay, "primary rays"),
     work(StepKind::ShadowRay, "shadow rays"),
     work(StepKind::ReflectedRay, "reflected rays"),
     work(StepKind::Test, "intersection tests"),
     work(StepKind::ObjectRay, "transformed rays"),
     work(StepKind::Power, "powers"),
-    work(StepKind::RandomNumber, "random numbers"),
 ];
 
-/// The work that the chosen renderer saves in a scene.
+/// The work that the chosen renderer leaves out in a scene.
 #[derive(Debug)]
 pub struct Comparison {
-    /// The picture by the chosen renderer.
-    pub image: Image,
-    /// Its work.
+    /// The work of the chosen renderer.
     pub done: Counts,
-    /// The work of the renderer that skips none.
+    /// The work of the renderer that leaves out nothing.
     pub all: Counts,
-    /// The work that no renderer can leave out; none if the picture may have an error, because
-    /// nobody knows how few samples are enough.
-    pub needed: Option<Counts>,
     /// The largest difference of a channel between both pictures.
     pub difference: f64,
 }
 
 impl Comparison {
-    /// Renders a scene by the chosen renderer and by the one that skips no work, on
+    /// Renders a scene by the chosen renderer and by the one that leaves out nothing, on
     /// the threads of the current pool.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
         let (image, done) = counted(|| scene.render(settings, &()))?;
         let (complete, all) = counted(|| scene.render(&complete(settings), &()))?;
-        let needed = match settings.max_error {
-            Some(_) => None,
-            None => Some(counted_needed(|| scene.render(settings, &()))?.1),
-        };
-        let image = image?;
+        let differences = difference::of_channels(&image?, &complete?);
         Ok(Self {
-            difference: difference(&image, &complete?),
-            image,
             done,
             all,
-            needed,
+            difference: differences.into_iter().map(f64::abs).fold(0.0, f64::max),
         })
     }
 
-    /// A row of a Markdown table: for each kind of work the count of the chosen renderer, the full
-    /// count if that is another, and the count that no renderer can leave out if it is a third one.
+    /// A row of a Markdown table: for each kind of work the count of the chosen renderer, and the full
+    /// count if that is another.
     #[must_use]
     pub fn row(&self, name: &str) -> String {
         let mut row = format!("| {name} |");
@@ -74,34 +62,15 @@ impl Comparison {
             let (done, all) = (self.done[kind], self.all[kind]);
             let _ = match (done, all) {
                 (0, 0) => write!(row, " |"),
-                (done, all) if done == all => write!(row, " {all}"),
-                (done, all) => write!(row, " **{done}** of {all}"),
-            };
-            if all == 0 && done == 0 {
-                continue;
-            }
-            let needed = self.needed.map(|needed| needed[kind]);
-            let _ = match needed.filter(|needed| *needed != done) {
-                Some(needed) => write!(row, ", needed {needed} |"),
-                None => write!(row, " |"),
+                (done, all) if done == all => write!(row, " {all} |"),
+                (done, all) => write!(row, " **{done}** of {all} |"),
             };
         }
         row
     }
-
-    /// The same comparison of a picture with this many times as many pixels, as an estimate.
-    #[must_use]
-    pub fn scaled(self, factor: f64) -> Self {
-        Self {
-            done: self.done.scaled(factor),
-            all: self.all.scaled(factor),
-            needed: self.needed.map(|needed| needed.scaled(factor)),
-            ..self
-        }
-    }
 }
 
-/// The settings with the renderer that skips no work.
+/// The settings with the renderer that leaves out nothing.
 pub fn complete(settings: &Settings) -> Settings {
     Settings {
         renderer: Renderer::AllWork,
@@ -109,34 +78,14 @@ pub fn complete(settings: &Settings) -> Settings {
     }
 }
 
-/// The largest difference of a channel; infinite where one is NaN.
-fn difference(a: &Image, b: &Image) -> f64 {
-    let pairs = a.pixels().iter().zip(b.pixels());
-    let channels = pairs.flat_map(|(a, b)| a.channels().into_iter().zip(b.channels()));
-    let differences = channels.map(|(a, b)| match (a - b).abs() {
-        _ if a.to_bits() == b.to_bits() => 0.0,
-        nan if nan.is_nan() => f64::INFINITY,
-        difference => difference,
-    });
-    differences.fold(0.0, f64::max)
-}
-
 /// A table of the kinds of work that were done, without a newline at its end.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(
-            f,
-            "  {:20} {:>14} {:>14} {:>14}",
-            "work", "everything", "done", "needed"
-        )?;
+        write!(f, "  {:20} {:>14} {:>14}", "work", "everything", "done")?;
         for Work { kind, name } in WORK {
             let (done, all) = (self.done[kind], self.all[kind]);
             if all.max(done) > 0 {
                 write!(f, "\n  {name:20} {all:>14} {done:>14}")?;
-                match self.needed {
-                    Some(needed) => write!(f, " {:>14}", needed[kind])?,
-                    None => write!(f, " {:>14}", "unknown")?,
-                }
             }
         }
         Ok(())
@@ -145,23 +94,18 @@ impl fmt::Display for Comparison {
 
 #[cfg(test)]
 mod tests {
-    use common::steps::{self, count};
-    use common::{Color, Size};
+    use common::steps::count;
+    use common::{Color, Image, Size};
 
     use super::*;
 
-    /// The renderer that skips no work takes one more ray and two more tests, and its
+    /// The renderer that leaves out nothing takes one more ray and two more tests, and its
     /// picture is brighter by 1/8.
     fn scene() -> Scene {
         Scene::sampled("test", "", |settings, _| {
             let is_all = settings.renderer == Renderer::AllWork;
             count(StepKind::CameraRay, 1);
-            let tests = match settings.renderer {
-                Renderer::AllWork => 4,
-                _ if steps::is_counting_needed() => 1,
-                _ => 2,
-            };
-            count(StepKind::Test, tests);
+            count(StepKind::Test, if is_all { 4 } else { 2 });
             let mut image = Image::black(settings.size)?;
             if is_all {
                 count(StepKind::ShadowRay, 1);
@@ -179,26 +123,12 @@ mod tests {
         };
         let comparison = Comparison::new(&scene(), &settings).unwrap();
         assert_eq!(comparison.difference, 0.125);
-        let row = "| name | 1 | **0** of 1 | | **2** of 4, needed 1 | | | |";
+        let row = "| name | 1 | **0** of 1 | | **2** of 4 | | |";
         assert_eq!(comparison.row("name"), row);
-        let table = "  work                     everything           done         needed
-  primary rays                      1              1              1
-  shadow rays                       1              0              0
-  intersection tests                4              2              1";
+        let table = "  work                     everything           done
+  primary rays                      1              1
+  shadow rays                       1              0
+  intersection tests                4              2";
         assert_eq!(comparison.to_string(), table);
-        assert_eq!(comparison.scaled(2.5).done[StepKind::Test], 5);
-    }
-
-    #[test]
-    fn nan_differs_from_all_but_itself() {
-        let dot = |gray| {
-            let size = Size::new(1, 1).unwrap();
-            Image::from_fn(size, |_, _| Color::gray(gray)).unwrap()
-        };
-        let apart = |a, b| difference(&dot(a), &dot(b));
-        assert_eq!(apart(f64::NAN, f64::NAN), 0.0);
-        assert_eq!(apart(f64::INFINITY, f64::INFINITY), 0.0);
-        assert_eq!(apart(f64::NAN, 1.0), f64::INFINITY);
-        assert_eq!(apart(1.0, 0.25), 0.75);
     }
 }

@@ -3,7 +3,7 @@
 //! The reasons are put back one after the other, and each is compared with those before it. So the
 //! rows add up to the work of the renderer that leaves out nothing.
 
-use common::steps::{Counts, StepKind, counted};
+use common::steps::{Counts, counted};
 use common::{Error, Omission, Omissions, Renderer, Scene, Settings};
 
 use crate::comparison::WORK;
@@ -21,10 +21,6 @@ impl Words {
     #[must_use]
     pub const fn of(omission: Omission) -> Self {
         let (work, because) = match omission {
-            Omission::RandomNumbers => (
-                "random numbers for samples with a fixed place",
-                "the middle of a pixel or of a cell is where it is",
-            ),
             Omission::FartherOccluders => (
                 "the search behind the first object between a surface and a light",
                 "one object casts a shadow as well as two",
@@ -41,13 +37,9 @@ impl Words {
                 "shadow rays from surfaces of a single colour",
                 "their colour does not depend on the light",
             ),
-            Omission::BlackHighlights => (
-                "powers of a black highlight",
-                "0 times anything from 0 to 1 is 0",
-            ),
-            Omission::HighlightsAway => (
-                "powers where the light is mirrored away from the eye",
-                "no highlight is seen there",
+            Omission::UnseenHighlights => (
+                "powers of highlights that nobody sees",
+                "they are black, or mirrored away from the eye",
             ),
             Omission::BlackMirrors => (
                 "reflected rays from surfaces that mirror nothing",
@@ -75,8 +67,6 @@ impl Words {
 pub struct LeftOut {
     /// The kind.
     pub omission: Omission,
-    /// The settings with which it is put back, in addition to the rows before.
-    pub with: Settings,
     /// The steps that it leaves out; of a kind of which it takes more, none.
     pub steps: Counts,
 }
@@ -87,36 +77,29 @@ impl LeftOut {
     pub fn all(scene: &Scene, settings: &Settings) -> Result<Vec<Self>, Error> {
         let mut rows = Vec::new();
         let mut omissions = Omissions::ALL;
-        let mut before = count(scene, &measured(settings, omissions))?;
+        let mut before = count(scene, settings, omissions)?;
         for omission in Omission::ALL {
             if !is_left_out(omission, settings) {
                 continue;
             }
             omissions = omissions.without(omission);
-            let with = measured(settings, omissions);
-            let counts = count(scene, &with)?;
+            let counts = count(scene, settings, omissions)?;
             let steps = counts.without(&before);
             if WORK.iter().any(|work| steps[work.kind] > 0) {
-                rows.push(Self {
-                    omission,
-                    with,
-                    steps,
-                });
+                rows.push(Self { omission, steps });
             }
             before = counts;
         }
         Ok(rows)
     }
 
-    /// The kinds of steps that it leaves out in a picture of so many times as many pixels, and how
-    /// many of each, in words.
+    /// The kinds of steps that it leaves out, and how many of each, in words.
     #[must_use]
-    pub fn counts(&self, factor: f64) -> String {
-        let steps = self.steps.scaled(factor);
+    pub fn counts(&self) -> String {
         let mut words = Vec::new();
         for work in WORK {
-            if steps[work.kind] > 0 {
-                words.push(format!("{} {}", steps[work.kind], work.name));
+            if self.steps[work.kind] > 0 {
+                words.push(format!("{} {}", self.steps[work.kind], work.name));
             }
         }
         words.join(", ")
@@ -135,30 +118,13 @@ fn is_left_out(omission: Omission, settings: &Settings) -> bool {
     }
 }
 
-/// The settings with which only this work is left out.
-pub fn measured(settings: &Settings, omissions: Omissions) -> Settings {
-    Settings {
+/// The steps of a rendering that leaves out this work.
+fn count(scene: &Scene, settings: &Settings, omissions: Omissions) -> Result<Counts, Error> {
+    let settings = Settings {
         omissions: Some(omissions),
         ..settings.clone()
-    }
-}
-
-/// The steps of a rendering.
-fn count(scene: &Scene, settings: &Settings) -> Result<Counts, Error> {
-    let (image, counts) = counted(|| scene.render(settings, &()))?;
+    };
+    let (image, counts) = counted(|| scene.render(&settings, &()))?;
     image?;
     Ok(counts)
 }
-
-/// The kinds of steps that a renderer takes although no picture needs them, each with the kind that
-/// it belongs to.
-pub const STILL_DONE: [(StepKind, &str); 2] = [
-    (
-        StepKind::TestOfObjectLeft,
-        "tests of the plane, disc or triangle that the ray has just left",
-    ),
-    (
-        StepKind::OccluderNormals,
-        "normals of objects in the way of a light",
-    ),
-];

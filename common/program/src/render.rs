@@ -18,14 +18,14 @@ use crate::work;
 /// After this time a picture takes long, so that a faster renderer is worth a remark.
 pub const SLOW: Duration = Duration::from_secs(4);
 
-/// Writes the pictures of these scenes, and prints the path and the time of each; for a report of
-/// the work that is left out, the report, and a picture if there is one. Wrong arguments are refused
-/// before the first picture is begun.
+/// Writes the pictures of these scenes, and prints the path and the time of each; before, if it is
+/// asked for, the work that the renderer leaves out. Wrong arguments are refused before the first
+/// picture is begun.
 pub fn render_to_files(
     stage: &Stage,
     scenes: &[Scene],
     output: Option<PathBuf>,
-    reports_work: bool,
+    explains_work: bool,
     options: &Options,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -36,13 +36,11 @@ pub fn render_to_files(
     }
     for (scene, settings) in jobs {
         warn_unused(scene, options, &settings);
+        if explains_work {
+            work::explain(scene, &settings, options)?;
+        }
         let start = Instant::now();
-        let image = if reports_work {
-            work::render_and_report(scene, &settings, options)?
-        } else {
-            Some(render(scene, &settings, options)?)
-        };
-        let Some(image) = image else { continue };
+        let image = render(scene, &settings, options)?;
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         let path = text::visible(&path.to_string_lossy());

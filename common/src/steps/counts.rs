@@ -26,12 +26,6 @@ impl Counts {
             self.0[kind].saturating_sub(others.0[kind])
         }))
     }
-
-    /// These counts, multiplied by a factor and rounded.
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        Self(self.0.map(|count| (count as f64 * factor).round() as u64))
-    }
 }
 
 impl Index<StepKind> for Counts {
@@ -46,20 +40,14 @@ impl Index<StepKind> for Counts {
 #[inline]
 #[must_use]
 pub fn is_counting() -> bool {
-    mode().counts()
-}
-
-/// Whether the steps are counted in this thread that no renderer can leave out, and no others.
-#[must_use]
-pub fn is_counting_needed() -> bool {
-    mode() == Mode::CountingNeeded
+    mode() == Mode::Counting
 }
 
 /// Counts steps of a kind, if steps are counted; a trace does not show them.
 #[inline]
 pub fn count(kind: StepKind, times: u64) {
     RECORDER.with(|recorder| {
-        if recorder.mode.get().counts() {
+        if recorder.mode.get() == Mode::Counting {
             let mut counts = recorder.counts.get();
             counts.0[kind as usize] += times;
             recorder.counts.set(counts);
@@ -70,20 +58,10 @@ pub fn count(kind: StepKind, times: u64) {
 /// Runs `task`, and returns its result and the steps of all its threads. It has as many threads
 /// as without counting.
 pub fn counted<T: Send>(task: impl FnOnce() -> T + Send) -> Result<(T, Counts), Error> {
-    counted_in(Mode::Counting, task)
-}
-
-/// Like [`counted`], but the wrappers around a scene report only the steps that no renderer can
-/// leave out.
-pub fn counted_needed<T: Send>(task: impl FnOnce() -> T + Send) -> Result<(T, Counts), Error> {
-    counted_in(Mode::CountingNeeded, task)
-}
-
-fn counted_in<T: Send>(mode: Mode, task: impl FnOnce() -> T + Send) -> Result<(T, Counts), Error> {
-    let start = move || {
+    let start = || {
         RECORDER.with(|recorder| {
             recorder.counts.set(Counts::NONE);
-            recorder.mode.set(mode);
+            recorder.mode.set(Mode::Counting);
         });
     };
     let counts = || RECORDER.with(|recorder| recorder.counts.get());

@@ -5,8 +5,6 @@
 pub enum StepKind {
     /// Chooses the position of a sample in its pixel.
     Sample,
-    /// Draws a random number, for the position of a sample.
-    RandomNumber,
     /// Sends a ray from the camera.
     CameraRay,
     /// Sends a ray to a light, to see whether anything is in its way.
@@ -19,11 +17,6 @@ pub enum StepKind {
     ObjectRay,
     /// Tests a geometry for a hit. A node tests its children in turn.
     Test,
-    /// Tests the flat object, without thickness, that the ray has just left and cannot hit again;
-    /// only counted, beside the test.
-    TestOfObjectLeft,
-    /// Computes the normals of an object in the way of a light; only counted, beside the test.
-    OccluderNormals,
     /// Finds the nearest hit, which is shaded.
     Hit,
     /// Adds the ambient light.
@@ -55,15 +48,12 @@ impl StepKind {
     pub const fn word(self) -> &'static str {
         match self {
             Self::Sample => "sample",
-            Self::RandomNumber => "random number",
             Self::CameraRay => "ray",
             Self::ShadowRay => "shadow ray",
             Self::ReflectedRay => "reflected ray",
             Self::Offset => "offset",
             Self::ObjectRay => "object ray",
             Self::Test => "test",
-            Self::TestOfObjectLeft => "test of the object left",
-            Self::OccluderNormals => "normals of an occluder",
             Self::Hit => "hit",
             Self::Ambient => "ambient",
             Self::Light => "light",

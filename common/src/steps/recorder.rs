@@ -16,17 +16,8 @@ pub(super) enum Mode {
     Off,
     /// Counts it.
     Counting,
-    /// Counts it, too; only steps are reported that no renderer can leave out.
-    CountingNeeded,
     /// Writes it down.
     Tracing,
-}
-
-impl Mode {
-    /// Whether steps are counted.
-    pub const fn counts(self) -> bool {
-        matches!(self, Self::Counting | Self::CountingNeeded)
-    }
 }
 
 /// The recorder of a thread.

@@ -52,7 +52,7 @@ pub fn traced<T>(task: impl FnOnce() -> T) -> (T, Vec<Step>) {
 pub fn untraced<T>(task: impl FnOnce() -> T) -> T {
     match mode() {
         Mode::Tracing => in_mode(Mode::Off, task),
-        Mode::Off | Mode::Counting | Mode::CountingNeeded => task(),
+        Mode::Off | Mode::Counting => task(),
     }
 }
 

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Deviation, ErrorBound, Experiment, Slope, TaskSet, Unit};
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Slope, TaskSet, Unit};
 
 use crate::formula::sphere::{Shot, compensated, stable};
 use crate::line::Line;
@@ -210,40 +210,4 @@ pub fn near() -> Experiment<'static> {
         curves: Box::new(move |effort| theory.curves(effort)),
         ..Experiment::new("sphere-near")
     }
-}
-
-pub fn decisions() -> Experiment<'static> {
-    Experiment {
-        question: "From how far away is a sphere of radius 1 hit and missed as it should?",
-        parameter: "distance (radii)",
-        work: "rays",
-        against: Axis::Parameter,
-        error: "fraction of rays that hit or miss wrongly",
-        unit: Unit::Fraction,
-        exact: "against 30 digits, more than four roundings beside the rim",
-        seeds: &[11],
-        curves: Box::new(curves_of_decisions),
-        ..Experiment::new("sphere-decisions")
-    }
-}
-
-fn curves_of_decisions(effort: Effort) -> Vec<Curve<'static>> {
-    let doubles = sets::<f64>(from_afar, 10, effort);
-    let singles = sets::<f32>(from_afar, 6, effort);
-    let never_wrong = Some(ErrorBound {
-        error: 0.0,
-        between: 0.0..=f64::INFINITY,
-    });
-    vec![
-        Curve::of_decisions("protocol", &doubles, protocol::sphere, is_wrong),
-        Curve {
-            bound: never_wrong.clone(),
-            ..Curve::of_decisions("stable (ours)", &doubles, stable, is_wrong)
-        },
-        Curve::of_decisions("protocol (single)", &singles, protocol::sphere, is_wrong),
-        Curve {
-            bound: never_wrong,
-            ..Curve::of_decisions("stable (single)", &singles, stable, is_wrong)
-        },
-    ]
 }

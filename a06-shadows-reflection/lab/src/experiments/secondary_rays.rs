@@ -21,195 +21,103 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     [
         WrongDecisions {
             name: "acne",
-            opposite: Some("leaks"),
+            opposite: "leaks",
             question: "Which rays keep a surface out of its own shadow?",
-            parameter: "scene size (units)",
-            sets: by_size,
-            ..ACNE
+            error: "fraction of shadow rays that hit their own surface",
+            exact: "where light arrives; beds 1 to 8: scenes of 1e-6 to 1e9 units; 9: large shapes; 10: needles; 11: seen from afar",
+            wrong: |trial, policy| f64::from(trial.shades_itself(policy)),
+            promised: 1.0..=11.0,
         },
         WrongDecisions {
             name: "leaks",
-            opposite: Some("acne"),
+            opposite: "acne",
             question: "Which rays find an object near the surface?",
-            parameter: "scene size (units)",
-            sets: by_size,
-            ..LEAKS
-        },
-        WrongDecisions {
-            name: "acne-of-large-shapes",
-            opposite: Some("leaks-of-large-shapes"),
-            question: "How large may a shape be?",
-            parameter: "size of the shape (sizes of the view)",
-            sets: by_ratio,
-            ..ACNE
-        },
-        WrongDecisions {
-            name: "leaks-of-large-shapes",
-            opposite: Some("acne-of-large-shapes"),
-            question: "Which rays find an object near the surface of a large shape?",
-            parameter: "size of the shape (sizes of the view)",
-            sets: by_ratio,
-            // The scale of the triangle is some hundred times this size, and the offset 1e-9 of the
-            // view for a scale of 7e4.
-            promised: 0.0..=1e2,
-            ..LEAKS
-        },
-        WrongDecisions {
-            name: "acne-from-afar",
-            opposite: Some("leaks-from-afar"),
-            question: "From how far away may the eye look?",
-            parameter: "distance of the eye (sizes of the scene)",
-            sets: by_distance,
-            ..ACNE
-        },
-        WrongDecisions {
-            name: "leaks-from-afar",
-            opposite: Some("acne-from-afar"),
-            question: "How far away may the eye be?",
-            parameter: "distance of the eye (sizes of the scene)",
-            sets: by_distance,
-            // The offset is 1e-9 sizes at a distance of 7e4.
-            promised: 0.0..=1e4,
-            ..LEAKS
-        },
-        WrongDecisions {
-            name: "acne-of-needles",
-            opposite: Some("leaks-of-needles"),
-            question: "How thin may a triangle be?",
-            parameter: "longest edge / least height",
-            sets: by_aspect,
-            ..ACNE
-        },
-        WrongDecisions {
-            name: "leaks-of-needles",
-            opposite: Some("acne-of-needles"),
-            question: "Which rays find an object near the surface of a needle?",
-            parameter: "longest edge / least height",
-            sets: by_aspect,
-            // The offset is 1e-9 for a scale of 7e4, and a random triangle's is some times this ratio.
-            promised: 0.0..=1e2,
-            ..LEAKS
+            error: "fraction of shadow rays that miss an object",
+            exact: "1e-4 or 1e-9 sizes away, in the beds of acne",
+            wrong: |trial, policy| {
+                let leaks = NEAR.map(|near| f64::from(trial.leaks(policy, near)));
+                leaks.iter().sum::<f64>() / NEAR.len() as f64
+            },
+            // Of large shapes, of needles and from afar the offset is longer than the nearer distance.
+            promised: 1.0..=8.0,
         },
     ]
     .map(WrongDecisions::experiment)
     .into()
 }
 
-/// Values of the parameter, each with lit points.
-pub type Sets = Vec<TaskSet<Trial>>;
-
-/// An experiment on a kind of wrong decision.
-pub struct WrongDecisions {
-    pub name: &'static str,
-    pub question: &'static str,
-    pub parameter: &'static str,
-    /// Measures at which values of the parameter, and at which points.
-    pub sets: fn(Effort) -> Sets,
-    pub error: &'static str,
-    pub exact: &'static str,
+/// An experiment on a kind of wrong decision: the shape is convex and the light outside, but a ray to
+/// it hits the shape; or a ray to the light misses an object at one of the distances [`NEAR`].
+struct WrongDecisions {
+    name: &'static str,
     /// The experiment with the opposite mistake at the same points.
-    pub opposite: Option<&'static str>,
+    opposite: &'static str,
+    question: &'static str,
+    error: &'static str,
+    exact: &'static str,
     /// The fraction of wrong decisions for a point and a policy.
-    pub wrong: fn(&Trial, Policy) -> f64,
-    /// The methods that are compared, ours at the end.
-    pub methods: &'static [Method],
-    /// The parameters at which our rays are never wrong.
-    pub promised: RangeInclusive<f64>,
+    wrong: fn(&Trial, Policy) -> f64,
+    /// The beds at which our rays are never wrong.
+    promised: RangeInclusive<f64>,
 }
 
 /// A rule for rays that leave a hit, with its name.
-pub struct Method {
-    pub name: &'static str,
-    pub policy: Policy,
+struct Method {
+    name: &'static str,
+    policy: Policy,
 }
-
-/// The shape is convex and the light outside, but a ray to it hits the shape.
-pub const ACNE: WrongDecisions = WrongDecisions {
-    name: "",
-    question: "",
-    parameter: "",
-    sets: |_| Vec::new(),
-    error: "fraction of shadow rays that hit their own surface",
-    exact: "where light arrives",
-    opposite: None,
-    wrong: |trial, policy| f64::from(trial.shades_itself(policy)),
-    methods: &METHODS,
-    promised: 0.0..=f64::INFINITY,
-};
-
-/// A ray to the light misses an object at one of the distances [`NEAR`].
-pub const LEAKS: WrongDecisions = WrongDecisions {
-    error: "fraction of shadow rays that miss an object",
-    exact: "1e-4 or 1e-9 sizes away",
-    wrong: |trial, policy| {
-        let leaks = NEAR.map(|near| f64::from(trial.leaks(policy, near)));
-        leaks.iter().sum::<f64>() / NEAR.len() as f64
-    },
-    ..ACNE
-};
 
 /// Distances of an object before the light, in sizes of the scene.
 pub const NEAR: [f64; 2] = [1e-4, 1e-9];
 
-const THOUSANDTH: Method = Method {
-    name: "above 1e-3 (protocol)",
-    policy: above_a_thousandth,
-};
-const ZERO: Method = Method {
-    name: "above 0",
-    policy: above_zero,
-};
-const RELATIVE: Method = Method {
-    name: "above 1e-9 of the largest",
-    policy: relative,
-};
-const RELATIVE_TO_T: Method = Method {
-    name: "above 2e-12 t (pbrt 2)",
-    policy: relative_to_t,
-};
-const STEPPED: Method = Method {
-    name: "steps (Wächter, Binder)",
-    policy: stepped,
-};
-const ERROR_BOUNDS: Method = Method {
-    name: "error bounds (pbrt 4)",
-    policy: error_bounds,
-};
-const SINGLE: Method = Method {
-    name: "offset (single)",
-    policy: single,
-};
-const OURS: Method = Method {
-    name: "offset (ours)",
-    policy: offset,
-};
-
+/// The rules that are compared, ours at the end.
 const METHODS: [Method; 8] = [
-    THOUSANDTH,
-    ZERO,
-    RELATIVE,
-    RELATIVE_TO_T,
-    STEPPED,
-    ERROR_BOUNDS,
-    SINGLE,
-    OURS,
+    Method {
+        name: "above 1e-3 (protocol)",
+        policy: above_a_thousandth,
+    },
+    Method {
+        name: "above 0",
+        policy: above_zero,
+    },
+    Method {
+        name: "above 1e-9 of the largest",
+        policy: relative,
+    },
+    Method {
+        name: "above 2e-12 t (pbrt 2)",
+        policy: relative_to_t,
+    },
+    Method {
+        name: "steps (Wächter, Binder)",
+        policy: stepped,
+    },
+    Method {
+        name: "error bounds (pbrt 4)",
+        policy: error_bounds,
+    },
+    Method {
+        name: "offset (single)",
+        policy: single,
+    },
+    Method {
+        name: "offset (ours)",
+        policy: offset,
+    },
 ];
 
-/// The methods for shapes that cannot reproject a point.
-pub const FOR_EVERY_SHAPE: [Method; 6] = [THOUSANDTH, ZERO, RELATIVE, RELATIVE_TO_T, STEPPED, OURS];
-
 impl WrongDecisions {
-    pub fn experiment(self) -> Experiment<'static> {
+    fn experiment(self) -> Experiment<'static> {
         let name = self.name;
         Experiment {
             question: self.question,
-            parameter: self.parameter,
+            parameter: "test bed",
             work: "shadow rays",
             against: Axis::Parameter,
             error: self.error,
             unit: Unit::Fraction,
             exact: self.exact,
-            opposite: self.opposite,
+            opposite: Some(self.opposite),
             seeds: &[SEED],
             curves: Box::new(move |effort| self.curves(effort)),
             ..Experiment::new(name)
@@ -217,12 +125,12 @@ impl WrongDecisions {
     }
 
     fn curves(&self, effort: Effort) -> Vec<Curve<'static>> {
-        let (sets, wrong) = ((self.sets)(effort), self.wrong);
+        let (beds, wrong) = (beds(effort), self.wrong);
         let mut curves = Vec::new();
-        for Method { name, policy } in self.methods {
-            let shades_itself = |trial: &Trial| trial.shades_itself(*policy);
-            let wrong = |trial: &Trial, _| wrong(trial, *policy);
-            curves.push(Curve::of_decisions(name, &sets, shades_itself, wrong));
+        for Method { name, policy } in METHODS {
+            let shades_itself = move |trial: &Trial| trial.shades_itself(policy);
+            let wrong = move |trial: &Trial, _| wrong(trial, policy);
+            curves.push(Curve::of_decisions(name, &beds, shades_itself, wrong));
         }
         if let Some(ours) = curves.last_mut() {
             ours.bound = Some(ErrorBound {
@@ -234,57 +142,41 @@ impl WrongDecisions {
     }
 }
 
-fn by_size(effort: Effort) -> Sets {
-    let mut sets = Vec::new();
-    for size in [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9] {
-        sets.push(TaskSet {
-            parameter: size,
-            tasks: points(&SHAPES, size, size, AIM, effort),
-        });
-    }
-    sets
-}
+/// The sizes of the first scenes, in units.
+const SIZES: [f64; 8] = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9];
 
-fn by_ratio(effort: Effort) -> Sets {
+/// How large, thin or far the hard shapes are.
+const HARD: f64 = 1e6;
+
+/// The test beds by their numbers. Beds 1 to 8 are scenes of the [`SIZES`]; in bed 9 shapes are a million
+/// times as large as the view, in bed 10 triangles are needles, and in bed 11 the eye is a million sizes
+/// away.
+fn beds(effort: Effort) -> Vec<TaskSet<Trial>> {
+    let mut beds = Vec::new();
+    for size in SIZES {
+        beds.push(points(&SHAPES, size, size, AIM, effort));
+    }
     // From above a surface through the origin.
     let above = Aim {
         middle: [0.0, 6.0, 0.0],
         distance: 5.0,
         within: 7.0,
     };
-    let mut sets = Vec::new();
-    for ratio in [1.0, 1e1, 1e2, 1e3, 1e4, 1e6, 1e9] {
-        sets.push(TaskSet {
-            parameter: ratio,
-            tasks: points(&LARGE, ratio, 1.0, above, effort),
-        });
-    }
-    sets
-}
-
-fn by_distance(effort: Effort) -> Sets {
-    let mut sets = Vec::new();
-    for distance in [5.0, 1e2, 1e4, 1e6, 1e8] {
-        let aim = Aim { distance, ..AIM };
-        sets.push(TaskSet {
-            parameter: distance,
-            tasks: points(&SHAPES, 1.0, 1.0, aim, effort),
-        });
-    }
-    sets
-}
-
-fn by_aspect(effort: Effort) -> Sets {
+    beds.push(points(&LARGE, HARD, 1.0, above, effort));
     let count = effort.choose(1_024, 16_384);
-    let mut sets = Vec::new();
-    for aspect in [1.0, 1e2, 1e4, 1e6, 1e8, 1e10] {
-        let points = trials(count, SEED, 1.0, |numbers| needle(numbers, aspect));
-        sets.push(TaskSet {
-            parameter: aspect,
-            tasks: points.unwrap_or_default().into(),
-        });
-    }
-    sets
+    let needles = trials(count, SEED, 1.0, |numbers| needle(numbers, HARD));
+    beds.push(needles.unwrap_or_default().into());
+    let afar = Aim {
+        distance: HARD,
+        ..AIM
+    };
+    beds.push(points(&SHAPES, 1.0, 1.0, afar, effort));
+    let numbered = (1..).zip(beds);
+    let numbered = numbered.map(|(number, tasks)| TaskSet {
+        parameter: f64::from(number),
+        tasks,
+    });
+    numbered.collect()
 }
 
 /// A look at a point of a needle, which leans or lies along an axis.

@@ -2,8 +2,8 @@
 //!
 //! (Phong, Illumination for Computer Generated Pictures, 1975.)
 
+use common::Color;
 use common::steps::{self, StepKind};
-use common::{Color, Omission, Omissions};
 
 use super::IlluminationPacket;
 use super::power::powers;
@@ -23,6 +23,10 @@ pub struct Phong {
 impl Phong {
     fn has_highlight(&self) -> bool {
         self.specular != Color::BLACK
+    }
+
+    fn has_power(&self) -> bool {
+        self.exponent != 0.0
     }
 
     /// Whether the light of any source can change its colour.
@@ -47,6 +51,8 @@ pub(crate) struct PhongPacket {
     /// A bit for each that responds to light.
     pub responds_to_light: u32,
     has_highlight: u32,
+    /// A bit for each that is not Lambert's, which has no power to take.
+    has_power: u32,
 }
 
 impl PhongPacket {
@@ -60,6 +66,7 @@ impl PhongPacket {
             exponents: [material.exponent; 4],
             responds_to_light: bits(material.responds_to_light()),
             has_highlight: bits(material.has_highlight()),
+            has_power: bits(material.has_power()),
         }
     }
 
@@ -76,6 +83,7 @@ impl PhongPacket {
             exponents: materials.map(|phong| phong.exponent),
             responds_to_light: bits(Phong::responds_to_light),
             has_highlight: bits(Phong::has_highlight),
+            has_power: bits(Phong::has_power),
         }
     }
 
@@ -86,26 +94,27 @@ impl PhongPacket {
     }
 
     /// The light of one source at hits with these normals, seen along rays with these
-    /// directions; black in lanes that are not lit, and where the light is behind the surface.
+    /// directions; black in lanes that are not lit, and where the light is behind the surface. It takes
+    /// the power of a highlight that is seen, or of every highlight.
     #[inline]
     pub fn shade(
         &self,
         direction: Vector3x4,
         normal: Vector3x4,
         light: &IlluminationPacket,
-        omissions: Omissions,
+        takes_every_power: bool,
     ) -> ColorPacket {
         let slant = normal.dot(light.direction).max(Lanes::ZERO);
         let diffuse = self.diffuse * light.color * slant;
 
         let cosine = (-direction).dot(light.direction.reflected_on(normal));
         let is_mirrored = slant.simd_gt(Lanes::ZERO) & cosine.simd_gt(Lanes::ZERO);
-        let is_mirrored = is_mirrored.to_bitmask();
-        let shining = is_mirrored & self.has_highlight & light.lit;
-        let mut computed = shining;
-        if omissions != Omissions::ALL {
-            computed |= self.unseen(is_mirrored, omissions) & light.lit;
-        }
+        let shining = is_mirrored.to_bitmask() & self.has_highlight & light.lit;
+        let computed = if takes_every_power {
+            self.has_power & light.lit
+        } else {
+            shining
+        };
         if computed == 0 {
             return diffuse.masked(mask(light.lit));
         }
@@ -113,22 +122,5 @@ impl PhongPacket {
         let powers = powers(cosine.abs().fast_min(Lanes::ONE), self.exponents, computed);
         let highlight = self.specular * light.color * powers;
         (diffuse + highlight.masked(mask(shining))).masked(mask(light.lit))
-    }
-
-    /// A bit for each highlight that is not seen and not left out. A material whose exponent
-    /// is 0 is Lambert's, which has none.
-    #[cold]
-    fn unseen(&self, is_mirrored: u32, omissions: Omissions) -> u32 {
-        let mut unseen = 0;
-        for lane in 0..4 {
-            let because = if is_mirrored & (1 << lane) == 0 {
-                Omission::HighlightsAway
-            } else {
-                Omission::BlackHighlights
-            };
-            let is_done = self.exponents[lane] != 0.0 && !omissions.contains(because);
-            unseen |= u32::from(is_done) << lane;
-        }
-        unseen
     }
 }

@@ -64,6 +64,7 @@ impl Tracer<'_> {
         let source = &self.lights[i];
         let sends_rays = source.casts_shadows || !self.omits(Omission::LightsWithoutShadows);
         let ends_at_first = self.omits(Omission::FartherOccluders);
+        let takes_every_power = !self.omits(Omission::UnseenHighlights);
         let Batch {
             paths,
             vertices,
@@ -113,7 +114,7 @@ impl Tracer<'_> {
                 let (direction, normal) =
                     (paths[vertex.path].rays.direction, vertex.hits.hit.normal);
                 let material = &vertex.material;
-                let shaded = material.shade(direction, normal, light, self.omissions);
+                let shaded = material.shade(direction, normal, light, takes_every_power);
                 vertex.color = vertex.color + shaded;
             }
         }

@@ -60,7 +60,8 @@ fn measure(
     let mut all: Vec<Measured> = Vec::new();
     for experiment in experiments {
         let (mut bar, name) = (None, experiment.name);
-        let measured = Measured::new(experiment, effort, |done, all| {
+        let rounds = effort.choose(9, 15);
+        let measured = Measured::new(experiment, effort, rounds, |done, all| {
             let bar = bar.get_or_insert_with(|| terminal_bar(name, all as u64));
             bar.set_position(done as u64);
         });
@@ -74,15 +75,7 @@ fn measure(
         }
         all.push(measured);
     }
-    let mut rows = Vec::new();
-    for measured in &all {
-        rows.extend(measured.row(report::opposite_of(measured, &all)));
-    }
-    if rows.is_empty() {
-        return Ok(());
-    }
-    print("\n| experiment | question | Pareto front of error and time |\n|---|---|---|")?;
-    print(&rows.join("\n"))
+    Ok(())
 }
 
 /// The experiments with these names; without a name, all experiments.

@@ -1,25 +1,12 @@
 use super::*;
 use std::ops::RangeInclusive;
 
-use crate::example::{curve, experiment, falling};
+use crate::example::{experiment, falling};
 
 #[test]
 fn the_mean_and_the_greatest_error_are_computed() {
     let errors = Errors::of([3.0, -4.0, 0.0, 0.0]);
     assert_eq!((errors.rms, errors.max), (2.5, Some(4.0)));
-    assert_eq!(errors.p99, None, "of four numbers");
-    let many = (1..=200).map(f64::from);
-    assert_eq!(Errors::of(many).p99, Some(198.0));
-}
-
-#[test]
-fn half_a_grey_level_is_a_mark_for_light_that_work_improves() {
-    let mut experiment = experiment();
-    let falling = [curve(&[(1.0, 0.5), (9.0, 0.1)])];
-    let rising = [curve(&[(1.0, 0.1), (9.0, 0.5)])];
-    assert!(experiment.can_be_seen(&falling) && !experiment.can_be_seen(&rising));
-    experiment.unit = Unit::Other("radii");
-    assert!(!experiment.can_be_seen(&falling));
 }
 
 /// Whether an experiment with these curves agrees with theory.

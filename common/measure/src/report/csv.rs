@@ -1,110 +1,59 @@
-//! The measurements of an experiment as comma-separated values (RFC 4180).
+//! Measurements as comma-separated values (RFC 4180).
 
 use std::fmt::Write;
 
 use common::{Median, text};
 
-use crate::experiment::{Axis, Curves, Experiment};
+use crate::experiment::Experiment;
 use crate::report::Measured;
 
-impl Measured<'_> {
-    /// All measurements as comma-separated values, below lines with `#` about their
-    /// origin. [`parse`](Self::parse) reads them again.
-    pub fn csv(&self) -> String {
-        let e = &self.experiment;
-        let mut csv = self.origin();
-        let [parameter, work, error] = [e.parameter, e.work, e.error].map(quoted);
-        let _ = writeln!(
-            csv,
-            "method,{parameter},{work},{error},its low,its high,99 %,max,condition,problem's error,\
-             over problem,seconds,low,high,time over first,its low,its high"
-        );
-        for curve in &self.curves {
-            let method = quoted(curve.method);
-            for point in &curve.points {
-                let parameter = text::number(point.parameter);
-                let work = text::number(point.work);
-                let _ = write!(csv, "{method},{parameter},{work}");
-                let errors = &point.errors;
-                let ends = errors.interval;
-                let _ = write!(csv, ",{:e},{:.3e},{:.3e}", errors.rms, ends.low, ends.high);
-                for rank in [errors.p99, errors.max] {
-                    csv.push(',');
-                    if let Some(error) = rank {
-                        let _ = write!(csv, "{error:.3e}");
-                    }
-                }
-                match errors.problem {
-                    Some(of) => {
-                        let (condition, error) = (of.condition, of.error);
-                        let over = of.error_over_condition;
-                        let _ = write!(csv, ",{condition:.3e},{error:.3e},{over:.3e}");
-                    }
-                    None => csv.push_str(",,,"),
-                }
-                let Median { low, value, high } = point.times.seconds;
-                let _ = write!(csv, ",{value:.3e},{low:.3e},{high:.3e}");
-                match point.times.over_first {
-                    Some(Median { low, value, high }) => {
-                        let _ = writeln!(csv, ",{value:.4},{low:.4},{high:.4}");
-                    }
-                    None => csv.push_str(",,,\n"),
-                }
-            }
-        }
-        csv
-    }
+/// A measured experiment with the name that its rows have.
+pub struct Named<'m, 'a> {
+    /// The name.
+    pub name: String,
+    /// The measurement.
+    pub measured: &'m Measured<'a>,
+}
 
-    /// What was measured, on which machine, in which build, and with which seeds.
-    fn origin(&self) -> String {
-        let e = &self.experiment;
-        let (question, unit, exact) = (e.question, e.unit, e.exact);
-        let against = match e.against {
-            Axis::Work => "work",
-            Axis::Parameter => "parameter",
+/// The measurements of some experiments as comma-separated values, below lines with `#`: where they
+/// come from, and the question of each experiment. [`Recording`](crate::recorded::Recording) reads
+/// them.
+pub fn csv(provenance: &[(&str, String)], all: &[Named]) -> String {
+    let mut csv = String::new();
+    for (key, words) in provenance {
+        let _ = writeln!(csv, "# {key}: {words}");
+    }
+    csv += "# seconds: processor time of one thread; medians, and intervals of 95 %\n";
+    for Named { name, measured } in all {
+        let e = &measured.experiment;
+        let (question, error, exact, seeds) = (e.question, e.error, e.exact, seeds(e));
+        let name = text::name(name);
+        let _ = writeln!(csv, "# {name}: {question} {error}, {exact}; {seeds}");
+    }
+    csv += "experiment,method,parameter,work,unit,error,error low,error high,\
+            seconds,seconds low,seconds high,slope\n";
+    for named in all {
+        add_rows(&mut csv, named);
+    }
+    csv
+}
+
+fn add_rows(csv: &mut String, Named { name, measured }: &Named) {
+    let e = &measured.experiment;
+    for curve in &measured.curves {
+        let slope = match e.fit(curve) {
+            Some(fit) if fit.is_power_law() => format!("{:.4}", fit.slope),
+            _ => String::new(),
         };
-        let curves = match e.curves_are {
-            Curves::Methods => "methods",
-            Curves::Problems => "problems",
-        };
-        let provenance = &self.provenance;
-        let rounds = provenance.rounds;
-        let mut origin = String::new();
-        for (key, words) in [
-            ("experiment", text::name(e.name).clone()),
-            ("question", question.to_owned()),
-            ("parameter", e.parameter.to_owned()),
-            ("work", e.work.to_owned()),
-            ("error", e.error.to_owned()),
-            ("unit", unit.to_string()),
-            ("exact", exact.to_owned()),
-            ("against", against.to_owned()),
-            ("curves", curves.to_owned()),
-            ("opposite", e.opposite.unwrap_or_default().to_owned()),
-            ("seeds", seeds(e)),
-            (
-                "seconds",
-                "processor time of one thread; medians, and intervals of 95 %".to_owned(),
-            ),
-            ("rounds", rounds.to_string()),
-            ("machine", provenance.machine.clone()),
-            ("version", provenance.version.clone()),
-            ("date", provenance.date.clone()),
-        ] {
-            let _ = writeln!(origin, "# {key}: {words}");
+        for point in &curve.points {
+            let (name, method, unit) = (text::name(name), curve.method, e.unit);
+            let (parameter, work) = (text::number(point.parameter), text::number(point.work));
+            let _ = write!(csv, "{name},\"{method}\",{parameter},{work},\"{unit}\"");
+            let (error, ends) = (point.errors.rms, point.errors.interval);
+            let _ = write!(csv, ",{error:e},{:.3e},{:.3e}", ends.low, ends.high);
+            let Median { low, value, high } = point.times.seconds;
+            let _ = writeln!(csv, ",{value:.3e},{low:.3e},{high:.3e},{slope}");
         }
-        for curve in &self.curves {
-            if let Some(slope) = &curve.slope {
-                let (value, ends) = (slope.value, &slope.between);
-                let (low, high) = (text::number(*ends.start()), text::number(*ends.end()));
-                let _ = writeln!(
-                    origin,
-                    "# theory: slope {value} from {low} to {high}: {}",
-                    curve.method
-                );
-            }
-        }
-        origin
     }
 }
 
@@ -113,15 +62,5 @@ fn seeds(experiment: &Experiment) -> String {
         return "no random numbers".to_owned();
     }
     let seeds: Vec<_> = experiment.seeds.iter().map(u64::to_string).collect();
-    seeds.join(" ")
-}
-
-/// A field, in quotes where a comma would end it. No name has a quote.
-fn quoted(field: &str) -> String {
-    let field = field.replace('"', "'");
-    if field.contains(',') {
-        format!("\"{field}\"")
-    } else {
-        field
-    }
+    format!("seeds {}", seeds.join(" "))
 }

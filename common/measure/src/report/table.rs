@@ -3,8 +3,10 @@
 use std::fmt::Write;
 use std::time::Duration;
 
-use crate::experiment::{Curve, Curves, HALF_GREY_LEVEL, Point};
-use crate::front::Front;
+use common::text;
+
+use crate::experiment::{Curve, Curves, Point};
+use crate::front::Contender;
 use crate::report::Measured;
 
 impl Measured<'_> {
@@ -14,19 +16,19 @@ impl Measured<'_> {
         let e = &self.experiment;
         let (name, question, unit, exact) = (e.name, e.question, e.unit, e.exact);
         let units_of_columns = if self.knows_conditions() {
-            "; 99 % and max in ulp"
+            "; max in ulp"
         } else {
             ""
         };
         let mut text = format!("{name}: {question}\n");
         let _ = writeln!(text, "  {} ({unit}), {exact}{units_of_columns}", e.error);
         let has_front = e.opposite.is_none() || opposite.is_some();
-        let fronts = if has_front {
-            self.fronts(opposite)
+        let front = if has_front {
+            self.front(opposite)
         } else {
             Vec::new()
         };
-        self.add_rows(&mut text, &fronts);
+        self.add_rows(&mut text, &front);
         for (c, curve) in self.curves.iter().enumerate() {
             let remarks = self.remarks(c, curve);
             if !remarks.is_empty() {
@@ -34,22 +36,27 @@ impl Measured<'_> {
             }
         }
         if e.curves_are == Curves::Methods {
-            let _ = match e.opposite {
-                Some(name) if !has_front => {
-                    writeln!(
-                        text,
-                        "  Pareto front of error and time: see report {} {name}",
-                        e.name
-                    )
-                }
-                _ => writeln!(
-                    text,
-                    "  Pareto front of error and time: {}",
-                    self.unbeaten(opposite)
-                ),
+            let front = match e.opposite {
+                Some(name) if !has_front => format!("see report {} {name}", e.name),
+                _ => self.names_of(&front),
             };
+            let _ = writeln!(
+                text,
+                "  Pareto front of error and time, on this machine: {front}"
+            );
         }
         text
+    }
+
+    /// The methods on a front.
+    pub(super) fn names_of(&self, front: &[Contender]) -> String {
+        let mut names = Vec::new();
+        for (c, curve) in self.curves.iter().enumerate() {
+            if front.iter().any(|one| one.curve == c) {
+                names.push(curve.method);
+            }
+        }
+        names.join(", ")
     }
 
     fn knows_conditions(&self) -> bool {
@@ -57,22 +64,21 @@ impl Measured<'_> {
         points.any(|point| point.errors.problem.is_some())
     }
 
-    /// The head of the table and a row for each point. A star marks the points of the fronts.
-    fn add_rows(&self, text: &mut String, fronts: &[Front]) {
+    /// The head of the table and a row for each point. A star marks the points of the front.
+    fn add_rows(&self, text: &mut String, front: &[Contender]) {
         let e = &self.experiment;
         let parameter_width = e.parameter.chars().count().max(12);
         let work_width = e.work.chars().count().max(14);
         let _ = writeln!(
             text,
-            "  {:24} {:>parameter_width$} {:>work_width$}     error      99 %       max condition       time  time / first method",
+            "  {:24} {:>parameter_width$} {:>work_width$}     error       max condition       time  time / first method",
             "method", e.parameter, e.work
         );
         for (c, curve) in self.curves.iter().enumerate() {
             for point in &curve.points {
-                let is_unbeaten = fronts.iter().any(|front| front.holds(c, point));
-                let star = if is_unbeaten { "*" } else { " " };
-                let parameter = compact(point.parameter);
-                let work = compact(point.work);
+                let is_point = |one: &Contender| one.curve == c && one.parameter == point.parameter;
+                let star = if front.iter().any(is_point) { "*" } else { " " };
+                let [parameter, work] = [point.parameter, point.work].map(short);
                 let _ = write!(
                     text,
                     "{star} {:24} {parameter:>parameter_width$} {work:>work_width$}",
@@ -83,15 +89,11 @@ impl Measured<'_> {
                     Some(problem) => format!("{:.1e}", problem.condition),
                     None => String::new(),
                 };
-                let [p99, max] = [errors.p99, errors.max].map(|error| match error {
+                let max = match errors.max {
                     Some(error) => format!("{error:.1e}"),
                     None => String::new(),
-                });
-                let _ = write!(
-                    text,
-                    " {:>9.1e} {p99:>9} {max:>9} {condition:>9}",
-                    errors.rms
-                );
+                };
+                let _ = write!(text, " {:>9.1e} {max:>9} {condition:>9}", errors.rms);
                 let time = duration(point.times.seconds.value);
                 let _ = write!(text, " {time:>10}");
                 if let Some(quotient) = point.times.over_first {
@@ -102,8 +104,8 @@ impl Measured<'_> {
         }
     }
 
-    /// What the errors of a curve say: its slope, the work to reach half a grey level, whether the
-    /// problem or the formula is to blame, and time and error beside the first method's.
+    /// What the errors of a curve say: its slope, whether the problem or the formula is to blame, and
+    /// time and error beside the first method's.
     fn remarks(&self, c: usize, curve: &Curve) -> Vec<String> {
         let mut remarks = Vec::new();
         if let Some(fit) = self.experiment.fit(curve) {
@@ -112,18 +114,6 @@ impl Measured<'_> {
                 None => String::new(),
             };
             remarks.push(format!("{fit}{theory}"));
-        }
-        if self.experiment.can_be_seen(&self.curves)
-            && let Some(reached) = curve.work_to_reach(HALF_GREY_LEVEL)
-        {
-            let beyond = if reached.is_extrapolated {
-                ", extrapolated"
-            } else {
-                ""
-            };
-            let work = compact(libm::round(reached.work));
-            let unit = self.experiment.work;
-            remarks.push(format!("1/510 takes {work} {unit}{beyond}"));
         }
         remarks.extend(curve.verdict());
         remarks.extend(self.beside_first(c));
@@ -146,7 +136,7 @@ impl Measured<'_> {
             _ => format!("an error of {own:.1e}, where it has none"),
         };
         let method = self.curves[0].method;
-        let parameter = compact(points[p].parameter);
+        let parameter = short(points[p].parameter);
         Some(format!(
             "beside {method} at {parameter}: {error}, time {time}"
         ))
@@ -154,16 +144,12 @@ impl Measured<'_> {
 }
 
 /// A number in few characters.
-pub(crate) fn compact(number: f64) -> String {
-    if number == 0.0 || (1e-3..1e10).contains(&number.abs()) {
-        format!("{}", libm::round(number * 1e4) / 1e4)
-    } else {
-        format!("{number:.2e}")
-    }
+fn short(number: f64) -> String {
+    text::rounded(number, 5)
 }
 
 /// A time, in the unit in which it has few digits.
-pub(crate) fn duration(seconds: f64) -> String {
+pub(super) fn duration(seconds: f64) -> String {
     let duration = Duration::try_from_secs_f64(seconds).unwrap_or_default();
     format!("{duration:.1?}")
 }

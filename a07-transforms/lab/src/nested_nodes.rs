@@ -1,58 +1,15 @@
-//! Wrong decisions of rays that leave shapes under nested nodes, by the condition of the nodes.
+//! Lit points of shapes under nested nodes.
 
 use std::f64::consts::TAU;
 
 use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
 use a04_lab::support::Numbers;
-use a06_lab::experiments::secondary_rays::{ACNE, FOR_EVERY_SHAPE, LEAKS, Sets, WrongDecisions};
-use a06_lab::lit_points::{Look, SEED, Trial, trials};
+use a06_lab::lit_points::{Look, Trial, trials};
 use a06_lab::surface::surface;
 use common::{ArgumentError, Error};
-use measure::Effort;
-use measure::experiment::{Experiment, TaskSet};
 
 use a07_transforms::{Disc, Node, Transform};
-
-pub fn experiments() -> Vec<Experiment<'static>> {
-    [
-        WrongDecisions {
-            name: "acne-under-nodes",
-            opposite: Some("leaks-under-nodes"),
-            question: "Which rays keep a shape under nested nodes out of its own shadow?",
-            ..ACNE
-        },
-        WrongDecisions {
-            name: "leaks-under-nodes",
-            opposite: Some("acne-under-nodes"),
-            question: "Which rays find an object near a shape under nested nodes?",
-            ..LEAKS
-        },
-    ]
-    .map(|decisions| {
-        let of_nodes = WrongDecisions {
-            parameter: "longest / shortest axis",
-            sets: by_condition,
-            methods: &FOR_EVERY_SHAPE,
-            ..decisions
-        };
-        of_nodes.experiment()
-    })
-    .into()
-}
-
-fn by_condition(effort: Effort) -> Sets {
-    let count = effort.choose(4_096, 65_536);
-    let mut sets = Vec::new();
-    for condition in [1.0, 1e3, 1e5, 1e7, 1e9] {
-        let points = lit_points(count, SEED, condition);
-        sets.push(TaskSet {
-            parameter: condition,
-            tasks: points.unwrap_or_default().into(),
-        });
-    }
-    sets
-}
 
 /// Lit points of shapes under nodes of this condition.
 pub fn lit_points(count: usize, seed: u64, condition: f64) -> Result<Vec<Trial>, Error> {
