@@ -6,7 +6,10 @@
 mod dialog;
 mod frame;
 mod input;
+mod placement;
 mod screen;
+#[cfg(all(unix, not(target_os = "macos")))]
+mod x_display;
 
 use std::time::{Duration, Instant};
 
@@ -29,6 +32,7 @@ const COVERED: Duration = Duration::from_millis(500);
 // ANCHOR: show
 /// Shows the scenes of a gallery until the window is closed.
 pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
+    check_display()?;
     if gallery.asks_for_file() {
         dialog::open(gallery);
     }
@@ -52,7 +56,7 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
         window.set_target_fps(rate);
         let events = input.events(&window);
         for event in &events {
-            if !obey(event, &mut screen, gallery) {
+            if !obey(*event, input.at, &mut screen, gallery) {
                 return Ok(());
             }
         }
@@ -85,47 +89,51 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
 // ANCHOR_END: show
 
 // ANCHOR: obey
-/// Does what a person wants. False if the window is to be closed.
-fn obey(event: &Event, screen: &mut Screen, gallery: &mut Gallery) -> bool {
-    match *event {
-        Event::Key(key, pointer) => return press(key, pointer, screen, gallery),
-        Event::Click(at) => {
-            if let Some(key) = screen.key_at(at) {
-                return press(key, at, screen, gallery);
-            }
-            screen.lists_keys = false;
-            match screen.pixel_at(at) {
-                Some(pixel) => gallery.explain(pixel),
-                None => gallery.forget(),
-            }
-        }
+/// Does what a person wants who points there. False if the window is to be closed.
+fn obey(event: Event, at: [i32; 2], screen: &mut Screen, gallery: &mut Gallery) -> bool {
+    match event {
+        Event::Click => match screen.key_at(at) {
+            Some(key) => return obey(Event::Key(key), at, screen, gallery),
+            None => explain(at, screen, gallery),
+        },
         Event::Wheel(steps) => gallery.approach(steps),
         Event::Drag(way) => gallery.rotate(way),
-        Event::Move => {}
+        Event::Key(Key::Escape) => return false,
+        Event::Key(Key::S) => dialog::save(gallery),
+        Event::Key(Key::O) if gallery.opens_pictures() => dialog::open(gallery),
+        Event::Key(Key::Left) => gallery.go_on(-1),
+        Event::Key(Key::Right) => gallery.go_on(1),
+        Event::Key(Key::E) => explain(at, screen, gallery),
+        Event::Key(Key::R) => gallery.reset(),
+        Event::Key(Key::C) => gallery.print_camera(),
+        Event::Key(Key::H) => screen.lists_keys = !screen.lists_keys,
+        Event::Move | Event::Key(_) => {}
     }
     true
 }
 
-fn press(key: Key, pointer: [i32; 2], screen: &mut Screen, gallery: &mut Gallery) -> bool {
-    match key {
-        Key::Escape => return false,
-        Key::S => dialog::save(gallery),
-        Key::O if gallery.opens_pictures() => dialog::open(gallery),
-        Key::Left => gallery.go_on(-1),
-        Key::Right => gallery.go_on(1),
-        Key::R => gallery.reset(),
-        Key::C => gallery.print_camera(),
-        Key::H => screen.lists_keys = !screen.lists_keys,
-        Key::E => {
-            if let Some(pixel) = screen.pixel_at(pointer) {
-                gallery.explain(pixel);
-            }
-        }
-        _ => {}
+/// Explains the pixel there; beside the picture none.
+fn explain(at: [i32; 2], screen: &mut Screen, gallery: &mut Gallery) {
+    screen.lists_keys = false;
+    match screen.placement.pixel_at(at) {
+        Some(pixel) => gallery.explain(pixel),
+        None => gallery.forget(),
     }
-    true
 }
 // ANCHOR_END: obey
+
+/// An error where minifb would end the program.
+fn check_display() -> Result<(), NotShown> {
+    #[cfg(all(unix, not(target_os = "macos")))]
+    {
+        x_display::leave_input_method();
+        if let Some(bits) = x_display::bits_per_pixel().filter(|bits| *bits != 32) {
+            let reason = format!("no display with pixels of 32 bits to open it on (it has {bits})");
+            return Err(NotShown::NoWindow(reason));
+        }
+    }
+    Ok(())
+}
 
 fn no_window(error: minifb::Error) -> NotShown {
     NotShown::NoWindow(match error {

@@ -8,11 +8,13 @@ use std::time::Duration;
 use std::{fs, thread};
 
 use common::picture_file;
-use testing::display::Display;
+use testing::display::{Display, run_at_depth};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_a01-image-display");
 
 /// The program with its window; none where it cannot be tested.
 fn start(line: &str) -> Option<Display> {
-    Display::start(env!("CARGO_BIN_EXE_a01-image-display"), line)
+    Display::start(PROGRAM, line)
 }
 
 /// Waits for the saved picture of a scene, which must be the one that the book shows.
@@ -55,14 +57,14 @@ fn the_menu_saves_and_closes_by_mouse() {
         return;
     };
     window.wait_for_picture("painter");
-    window.click(30, 15);
+    window.click_until(30, 15, "saved");
     assert_saved(&window, "painter");
     // The middle of the picture, which is red.
-    window.click(320, 30 + 240);
-    window.wait_for_line("painter 640x480, pixel 320,240\nbytes [255, 0, 0]");
+    let explained = "painter 640x480, pixel 320,240\nbytes [255, 0, 0]";
+    window.click_until(320, 30 + 240, explained);
     window.act("windowsize --sync WINDOW 1 1");
     window.act("windowsize --sync WINDOW 800 600");
-    window.click(270, 15);
+    window.act("mousemove --window WINDOW 250 15 sleep 0.3 mousedown 1");
     window.wait_for_end();
 }
 
@@ -106,4 +108,16 @@ fn an_idle_window_has_one_thread_and_sleeps() {
     assert!(waited <= 60, "it woke {waited} times");
     let threads = process.join("task").read_dir().unwrap().count();
     assert_eq!(threads, 1);
+}
+
+#[test]
+fn pixels_of_other_than_32_bits_get_the_picture_in_a_file() {
+    let Some((output, folder)) = run_at_depth(16, PROGRAM, "show painter --size 8x6") else {
+        return;
+    };
+    let reason = String::from_utf8_lossy(&output.stderr);
+    let sentence = "no window: no display with pixels of 32 bits to open it on (it has 16)\n";
+    assert_eq!((output.status.code(), &*reason), (Some(0), sentence));
+    let out = folder.path().join("out");
+    assert!(out.join("a01-image-display-painter.png").exists());
 }

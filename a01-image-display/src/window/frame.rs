@@ -50,13 +50,13 @@ impl Frame {
 
     /// Draws a line with round ends; a dot if both ends are the same.
     pub fn line(&mut self, [from, to]: [[f64; 2]; 2], width: f64, color: u32) {
-        let [left, top] = [0, 1].map(|axis| (from[axis].min(to[axis]) - width) as i32);
-        let [right, bottom] = [0, 1].map(|axis| (from[axis].max(to[axis]) + width + 1.0) as i32);
+        // A line may lead far out of the window.
+        let [from, to] = [from, to].map(|end| end.map(|at| at.clamp(-1e6, 1e6)));
         let around = Area {
-            x: left,
-            y: top,
-            width: right - left,
-            height: bottom - top,
+            x: (from[0].min(to[0]) - width) as i32,
+            y: (from[1].min(to[1]) - width) as i32,
+            width: ((from[0] - to[0]).abs() + 2.0 * width + 2.0) as i32,
+            height: ((from[1] - to[1]).abs() + 2.0 * width + 2.0) as i32,
         };
         for ([left, y], row) in self.rows(around) {
             for (x, pixel) in (left..).zip(row) {

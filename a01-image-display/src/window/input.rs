@@ -5,13 +5,13 @@ use std::rc::Rc;
 
 use minifb::{InputCallback, Key, MouseButton, MouseMode, Window};
 
-/// Something that a person has done. Places are pixels of the window, from its upper left corner.
+/// Something that a person has done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    /// A key was pressed while the mouse was there.
-    Key(Key, [i32; 2]),
-    /// The left button was pressed there.
-    Click([i32; 2]),
+    /// A key was pressed.
+    Key(Key),
+    /// The left button was pressed.
+    Click,
     /// The wheel was turned, by 1 upwards or -1.
     Wheel(i32),
     /// The mouse was moved with the right button down, by this way to the right and down.
@@ -24,7 +24,7 @@ pub enum Event {
 #[derive(Default)]
 pub struct Input {
     keys: Keys,
-    /// The place of the mouse.
+    /// The place of the mouse, in pixels from the upper left corner of the window.
     pub at: [i32; 2],
     left: bool,
     right: bool,
@@ -58,14 +58,14 @@ impl Input {
             });
         }
         if self.left && !was_left {
-            events.push(Event::Click(self.at));
+            events.push(Event::Click);
         }
         if let Some((_, way)) = window.get_scroll_wheel() {
             // Systems differ in the length of a step.
             events.push(Event::Wheel(if way > 0.0 { 1 } else { -1 }));
         }
         let keys = self.keys.take(window.is_active());
-        events.extend(keys.into_iter().map(|key| Event::Key(key, self.at)));
+        events.extend(keys.into_iter().map(Event::Key));
         events
     }
 }

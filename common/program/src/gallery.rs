@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 
-use common::{Edits, Error, Image, Scene, Settings, Size, Stage, text};
+use common::{Edits, Error, Image, Scene, Settings, Size, Stage};
 
 use crate::LivePicture;
 use crate::explained_pixel::ExplainedPixel;
@@ -50,7 +50,6 @@ enum Job {
 }
 
 impl<'a> Gallery<'a> {
-    /// A gallery that shows the scene file, or else the scene of this number.
     pub(crate) fn new(
         stage: &'a Stage,
         file: Option<OpenedFile>,
@@ -85,23 +84,6 @@ impl<'a> Gallery<'a> {
             (Some(_), number) => self.stage.scenes.get(number - 1),
             (None, number) => self.stage.scenes.get(number),
         }
-    }
-
-    fn name(&self) -> String {
-        match &self.file {
-            Some(file) if self.number == 0 => {
-                let name = file.path().file_name().unwrap_or_default();
-                text::visible(&name.to_string_lossy())
-            }
-            _ => self.scene().map_or("", |scene| scene.name).to_owned(),
-        }
-    }
-
-    /// Stage and scene, and the time of the rendering, for the title of the window.
-    #[must_use]
-    pub fn title(&self) -> String {
-        let (stage, name, times) = (self.stage.name, self.name(), self.picture.times());
-        format!("{stage}: {name}, {times}")
     }
 
     /// The picture as far as it is known.
@@ -158,7 +140,7 @@ impl<'a> Gallery<'a> {
         }
     }
 
-    /// Prints the notes on the first scene, or what is wrong with its file, and starts to render it.
+    /// Prints the notes on the first scene, and starts to render it.
     pub fn begin(&mut self) -> Result<(), Error> {
         if let Some(error) = self.error() {
             warn(&format!("error: {error}"));
@@ -166,10 +148,10 @@ impl<'a> Gallery<'a> {
         } else if let Some(scene) = self.scene() {
             warn_unused(scene, &self.options, &self.settings(scene)?);
         }
-        if matches!(self.job, Job::Idle) {
-            self.start()?;
+        match self.job {
+            Job::Idle => self.start(),
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     /// Starts to render the scene in a thread of its own. An earlier rendering stops. A scene file
@@ -288,11 +270,8 @@ impl<'a> Gallery<'a> {
 
     /// Rotates the camera around the middle of the scene, by a way of the mouse in pixels.
     pub fn rotate(&mut self, [right, down]: [i32; 2]) {
-        let [yaw, pitch] = self.edits.orbit;
-        self.edits.orbit = [
-            yaw - ANGLE * f64::from(right),
-            pitch - ANGLE * f64::from(down),
-        ];
+        self.edits.orbit[0] -= ANGLE * f64::from(right);
+        self.edits.orbit[1] -= ANGLE * f64::from(down);
         self.move_camera();
     }
 

@@ -5,7 +5,7 @@
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
@@ -27,29 +27,18 @@ pub struct Display {
 
 impl Display {
     /// Starts a program with the arguments of a line, on a screen of 1600x1300
-    /// pixels, and gives its window the keyboard. The environment leads to no other display, and
-    /// to no file dialog. On a machine without Xvfb, xdotool or a library of windows none, and a
-    /// sentence on stderr.
+    /// pixels, and gives its window the keyboard. On a machine without Xvfb, xdotool or a library of
+    /// windows none, and a sentence on stderr.
     #[must_use]
     pub fn start(program: &str, line: &str) -> Option<Self> {
-        for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
-            if let Err(error) = Command::new(tool).arg(argument).output() {
-                // The output of `eprintln!` is shown for failing tests only.
-                let _ = writeln!(io::stderr(), "not tested on a display: {tool}: {error}");
-                return None;
-            }
+        if !has_tools() {
+            return None;
         }
         // A server fails if another one takes the same number at the same moment.
-        let (server, name) = wait_for("a server", server);
+        let (server, name) = wait_for("a server", || server(24));
         let folder = tempfile::tempdir().expect("a folder");
         let file = |name| File::create(folder.path().join(name)).expect("a file");
-        let program = Command::new(program)
-            .args(line.split_whitespace())
-            .current_dir(&folder)
-            .env_remove("WAYLAND_DISPLAY")
-            .env("DISPLAY", &name)
-            .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
-            .env("PATH", "")
+        let program = command(program, line, &folder, &name)
             .stdin(Stdio::null())
             .stdout(file("stdout"))
             .stderr(file("stderr"))
@@ -98,10 +87,14 @@ impl Display {
         wait_for(action, || self.xdotool(action));
     }
 
-    /// Presses the left button at a place of the window, for 100 ms, as a person does.
-    pub fn click(&self, x: i32, y: i32) {
+    /// Clicks on a place of the window until the program has printed this text: on a busy machine a click
+    /// can be over before the program looks for it.
+    pub fn click_until(&self, x: i32, y: i32, text: &str) {
         self.act(&format!("mousemove --window WINDOW {x} {y}"));
-        self.act("mousedown 1 sleep 0.1 mouseup 1 sleep 0.05");
+        wait_for(text, || {
+            self.act("mousedown 1 sleep 0.1 mouseup 1 sleep 0.3");
+            self.printed("stdout").contains(text).then_some(())
+        });
     }
 
     /// Waits until the title of the window contains this, and the picture is finished.
@@ -141,13 +134,56 @@ impl Drop for Display {
     }
 }
 
+/// Runs a program on a screen whose pixels have so many bits, of which it opens no window, until it ends; none on
+/// a machine without the tools. The folder is its current one.
+#[must_use]
+pub fn run_at_depth(depth: u32, program: &str, line: &str) -> Option<(Output, TempDir)> {
+    if !has_tools() {
+        return None;
+    }
+    let (mut server, name) = wait_for("a server", || server(depth));
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = command(program, line, &folder, &name).output();
+    let _ = server.kill();
+    let _ = server.wait();
+    Some((output.expect("the program runs"), folder))
+}
+
+/// Whether Xvfb and xdotool are there; otherwise a sentence on stderr.
+fn has_tools() -> bool {
+    for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
+        if let Err(error) = Command::new(tool).arg(argument).output() {
+            // The output of `eprintln!` is shown for failing tests only.
+            let _ = writeln!(io::stderr(), "not tested on a display: {tool}: {error}");
+            return false;
+        }
+    }
+    true
+}
+
+/// A program on a display. The environment leads to no other display, to no file dialog, and to an
+/// input method that does not run.
+fn command(program: &str, line: &str, folder: &TempDir, display: &str) -> Command {
+    let mut command = Command::new(program);
+    command
+        .args(line.split_whitespace())
+        .current_dir(folder)
+        .env_remove("WAYLAND_DISPLAY")
+        .env("DISPLAY", display)
+        .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
+        .env("XMODIFIERS", "@im=none")
+        .env("PATH", "");
+    command
+}
+
 /// An X server and the value of `DISPLAY` for it.
-fn server() -> Option<(Child, String)> {
+fn server(depth: u32) -> Option<(Child, String)> {
     let mut server = Command::new("Xvfb")
         .args(["-displayfd", "1", "-nolisten", "tcp", "-noreset"])
         // Milliseconds until a key repeats: also on a busy machine xdotool has released it
         // before.
-        .args(["-screen", "0", "1600x1300x24", "-ardelay", "3000"])
+        .args(["-screen", "0", &format!("1600x1300x{depth}")])
+        .args(["-ardelay", "3000"])
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
         .spawn()

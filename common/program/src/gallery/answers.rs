@@ -13,6 +13,23 @@ use crate::save::save_beside_others;
 use crate::target::make_default_folder;
 
 impl Gallery<'_> {
+    fn name(&self) -> String {
+        match &self.file {
+            Some(file) if self.number == 0 => {
+                let name = file.path().file_name().unwrap_or_default();
+                text::visible(&name.to_string_lossy())
+            }
+            _ => self.scene().map_or("", |scene| scene.name).to_owned(),
+        }
+    }
+
+    /// Stage and scene, and the time of the rendering, for the title of the window.
+    #[must_use]
+    pub fn title(&self) -> String {
+        let (stage, name, times) = (self.stage.name, self.name(), self.picture.times());
+        format!("{stage}: {name}, {times}")
+    }
+
     /// A few lines for a person: an error, the answer to the last key, the pixel that is explained, or the
     /// scene and the pixel under the mouse.
     #[must_use]

@@ -1,0 +1,107 @@
+//! What minifb 0.29 does not survive on a display of X11: where it means to return an error, it frees memory twice.
+//! So both cases are kept from it.
+
+use std::io::{Read, Write};
+use std::os::unix::net::UnixStream;
+use std::os::unix::process::CommandExt;
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+use std::{env, fs};
+
+/// Begins the program anew if it shall use an input method, which may not be there: keys need none. A variable of the
+/// environment can be removed for a new program only.
+pub fn leave_input_method() {
+    if env::var_os("XMODIFIERS").is_none() {
+        return;
+    }
+    if let Ok(program) = env::current_exe() {
+        let mut command = Command::new(program);
+        // It returns only if it fails.
+        let _ = command
+            .args(env::args_os().skip(1))
+            .env_remove("XMODIFIERS")
+            .exec();
+    }
+}
+
+/// The bits of a pixel of the display, of which minifb needs 32; none if the display is not on this machine, or does
+/// not tell.
+pub fn bits_per_pixel() -> Option<u8> {
+    let display = env::var("DISPLAY").ok()?;
+    let number = display.strip_prefix(':')?.split('.').next()?;
+    let server = Path::new("/tmp/.X11-unix").join(format!("X{number}"));
+    let mut cookies = cookies(number);
+    cookies.push(Vec::new());
+    cookies.iter().find_map(|cookie| ask(&server, cookie))
+}
+
+/// The secrets with which programs of this person may speak to a display, from entries of five fields:
+/// family, host, number of the display, name and secret.
+fn cookies(display: &str) -> Vec<Vec<u8>> {
+    let home = env::home_dir().unwrap_or_default().join(".Xauthority");
+    let path = env::var_os("XAUTHORITY").map_or(home, Into::into);
+    let bytes = fs::read(path).unwrap_or_default();
+    let mut rest = &bytes[..];
+    let mut cookies = Vec::new();
+    while let Some((_, mut after)) = rest.split_at_checked(2) {
+        let mut fields = [&[][..]; 4];
+        for field in &mut fields {
+            let Some((length, start)) = after.split_first_chunk() else {
+                return cookies;
+            };
+            let length = u16::from_be_bytes(*length).into();
+            let Some(split) = start.split_at_checked(length) else {
+                return cookies;
+            };
+            (*field, after) = split;
+        }
+        if fields[1] == display.as_bytes() && fields[2] == NAME {
+            cookies.push(fields[3].to_vec());
+        }
+        rest = after;
+    }
+    cookies
+}
+
+/// The name of the secrets.
+const NAME: &[u8] = b"MIT-MAGIC-COOKIE-1";
+
+/// Begins to speak X11, version 11.0, with a server, which answers with the forms of its pixels. The numbers are
+/// places in chapter 8 of its protocol.
+fn ask(server: &Path, cookie: &[u8]) -> Option<u8> {
+    let name = if cookie.is_empty() { &[] } else { NAME };
+    let mut request = vec![
+        b'l',
+        0,
+        11,
+        0,
+        0,
+        0,
+        name.len() as u8,
+        0,
+        cookie.len() as u8,
+        0,
+        0,
+        0,
+    ];
+    for text in [name, cookie] {
+        request.extend(text);
+        request.resize(request.len().next_multiple_of(4), 0);
+    }
+    let mut stream = UnixStream::connect(server).ok()?;
+    stream.set_read_timeout(Some(Duration::from_secs(1))).ok()?;
+    stream.write_all(&request).ok()?;
+    let mut head = [0; 8];
+    stream.read_exact(&mut head).ok()?;
+    let words = u16::from_le_bytes([head[6], head[7]]);
+    let mut answer = vec![0; 4 * usize::from(words)];
+    stream.read_exact(&mut answer).ok()?;
+    let vendor = usize::from(u16::from_le_bytes([*answer.get(16)?, *answer.get(17)?]));
+    let start = 32 + vendor.next_multiple_of(4);
+    let end = start + 8 * usize::from(*answer.get(21)?);
+    let depth = *answer.get(end + 38)?;
+    let mut formats = answer.get(start..end)?.chunks_exact(8);
+    let format = formats.find(|format| format[0] == depth && head[0] == 1)?;
+    Some(format[1])
+}
