@@ -61,12 +61,13 @@ impl Page {
             return format!("{details}{verdict}");
         }
         let verdict = verdict.green();
-        let solution = files::shortest(self.exercise.solution);
-        if solution.is_file() {
-            format!("{details}{verdict}\nsolution: {}", text::path(&solution))
-        } else {
-            format!("{details}{verdict}")
+        // A workbook without solutions has starters in their place.
+        let solution = files::read(self.exercise.solution);
+        if solution.is_err() || solution == files::starter(self.exercise) {
+            return format!("{details}{verdict}");
         }
+        let solution = files::shortest(self.exercise.solution);
+        format!("{details}{verdict}\nsolution: {}", text::path(&solution))
     }
 
     /// What the keys do.
