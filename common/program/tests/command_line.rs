@@ -171,14 +171,13 @@ fn laboratory() -> Laboratory {
         experiments: Vec::new,
         extremes: |_| {
             vec![Case {
-                id: "A01",
+                id: "A01".into(),
                 what: "a number".into(),
                 exact: Number(1.0),
                 ours: Number(1.0),
                 ..Case::default()
             }]
         },
-        search: None,
     }
 }
 

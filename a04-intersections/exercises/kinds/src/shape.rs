@@ -7,7 +7,6 @@ use std::sync::Arc;
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Triangle};
-use common::Error;
 use testing::exercises::{
     Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, random, searched,
 };

@@ -25,7 +25,6 @@ fn mirrors(row: &Row) -> Mirrors {
         gap: row.number(0),
         reflectance: row.number(1),
         background: row.number(2),
-        ..Mirrors::default()
     }
 }
 
