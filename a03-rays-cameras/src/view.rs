@@ -103,23 +103,19 @@ impl View {
             return kinds::render(scene, &*self.camera, settings, progress);
         }
         let bounds = settings.max_error.map(|max_error| {
-            let Some(scene) = self.world.for_engine(settings.depth) else {
-                return (max_error, f64::INFINITY, Vec::new());
-            };
-            let camera = kinds::camera_for_engine(&*self.camera);
-            let contrasts = scene.contrasts(&camera, settings.size);
-            (max_error, scene.max_radiance(), contrasts)
+            let scene = self.world.for_engine(settings.depth);
+            let max_radiance = scene.map_or(f64::INFINITY, |scene| scene.max_radiance());
+            (max_error, max_radiance)
         });
         let Self { camera, world } = match instruments {
             Some(instruments) => self.recorded(instruments),
             None => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
-        let Some((max_error, max_radiance, contrasts)) = bounds else {
+        let Some((max_error, max_radiance)) = bounds else {
             return render(&camera, radiance, settings, progress);
         };
         let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
-        let light = engine::adaptive::WithContrasts { light, contrasts };
         engine::adaptive::render_image(max_error, max_radiance, &light, settings, progress)
     }
 

@@ -18,8 +18,6 @@ pub enum Omission {
     BlackMirrors,
     /// Reflected rays that bring back less than the allowed error.
     FaintReflections,
-    /// Transforms of rays from each node to the next one, where an error is allowed.
-    NestedNodes,
     /// Tests of objects whose bounding boxes the ray misses.
     DistantObjects,
 }
@@ -27,7 +25,7 @@ pub enum Omission {
 impl Omission {
     /// All kinds, in the order in which a measurement puts them back: each with those before it, so
     /// that work which several of them leave out counts for the last check that the ray would pass.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 8] = [
         Self::FartherOccluders,
         Self::LightsWithoutShadows,
         Self::LightsBehind,
@@ -35,7 +33,6 @@ impl Omission {
         Self::UnseenHighlights,
         Self::BlackMirrors,
         Self::FaintReflections,
-        Self::NestedNodes,
         Self::DistantObjects,
     ];
 

@@ -10,8 +10,9 @@ pub trait Progress: Sync {
     /// iterator is used.
     fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>);
 
-    /// This many rows will be painted again.
-    fn more_rows(&self, _: u32) {}
+    /// This fraction of the work is done, from 0 to 1. Where it is told, rows do not tell it: they
+    /// are painted again, nobody knows how often.
+    fn done(&self, _: f64) {}
 
     /// Adaptive sampling of the picture has ended with this result.
     fn sampled(&self, _: &SamplingReport) {}

@@ -44,6 +44,32 @@ impl SamplingReport {
         asked.is_some_and(|asked| self.max_error() > asked)
     }
 
+    /// The largest of the three parts of the squared error, in words, and its percentage.
+    #[must_use]
+    pub fn largest_part(&self) -> String {
+        let doubt = ONE_SIDED * self.variance.sqrt();
+        let parts = [
+            (self.unseen, "is for things that no sample may have met"),
+            (
+                self.squared_error,
+                "is what new samples differ from those before",
+            ),
+            (
+                doubt,
+                "is the doubt about what new samples differ from those before",
+            ),
+        ];
+        let (mut largest, mut sum) = (parts[0], 0.0);
+        for part in parts {
+            sum += part.0;
+            if part.0 > largest.0 {
+                largest = part;
+            }
+        }
+        let (part, words) = largest;
+        format!("{:.0} % of its square {words}", 100.0 * part / sum)
+    }
+
     /// Whether an object that no sample met may be brighter than assumed.
     #[must_use]
     pub fn is_conditional(&self) -> bool {
@@ -98,6 +124,10 @@ mod tests {
     fn means_and_errors_are_per_pixel() {
         assert!(SAMPLED.misses(Some(0.865)) && !SAMPLED.misses(Some(0.867)));
         assert!(!SAMPLED.misses(None));
+        assert_eq!(
+            SAMPLED.largest_part(),
+            "53 % of its square is for things that no sample may have met"
+        );
         let text = "10 samples, 2.50 a pixel and at most 7; root mean square error at most \
                     0.866025 (95 %)";
         assert_eq!(SAMPLED.to_string(), text);

@@ -1,6 +1,7 @@
 //! How the pixels of a scene file change with its numbers: a number is moved, camera and world are
 //! made again, and the pixel, or the picture, is traced again.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use common::sensitivity::{
@@ -103,7 +104,8 @@ impl NumberedFile {
         let view = self.edited_view(settings)?;
         let footprint = Footprint::of_pixel(&view, settings.size, pixel);
         let center = color_of(&view, settings, pixel);
-        progress.more_rows(rows(numbers.len()));
+        let tried = AtomicUsize::new(0);
+        progress.done(0.0);
         let influences = numbers.par_iter().map(|number| {
             if progress.stopped() {
                 return Err(Error::Stopped);
@@ -119,7 +121,8 @@ impl NumberedFile {
                     color.is_finite().then_some(color.channels())
                 })
             };
-            progress.row(0, &mut std::iter::empty());
+            let tried = 1 + tried.fetch_add(1, Ordering::Relaxed);
+            progress.done(tried as f64 / numbers.len() as f64);
             Ok(Influence {
                 number: number.place.clone(),
                 response,
@@ -156,8 +159,9 @@ impl NumberedFile {
             strengths: vec![0.0; picture.pixels().len()],
             numbers: Vec::new(),
         };
-        progress.more_rows(rows(numbers.len()));
-        for number in numbers {
+        progress.done(0.0);
+        let all = numbers.len() as f64;
+        for (tried, number) in numbers.into_iter().enumerate() {
             let Some(moved) = self.picture_moved(settings, &number, progress)? else {
                 continue;
             };
@@ -166,7 +170,7 @@ impl NumberedFile {
                 *strength = strength.max(change);
             }
             found.numbers.push((number.place, moved.step));
-            progress.row(0, &mut std::iter::empty());
+            progress.done((tried + 1) as f64 / all);
         }
         Ok(found)
     }
@@ -256,11 +260,6 @@ fn by_engine(settings: &Settings) -> Settings {
         max_error: None,
         ..settings.clone()
     }
-}
-
-/// A number of numbers, as rows of a progress.
-fn rows(numbers: usize) -> u32 {
-    u32::try_from(numbers).unwrap_or(u32::MAX)
 }
 
 /// The view with the changes that a person has made in the window.

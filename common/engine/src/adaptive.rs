@@ -2,8 +2,7 @@
 //! highlights, until the error of the picture is below a bound.
 //!
 //! 1. Each pixel gets pilot samples, more of them if the picture is small: enough to find each
-//!    object that is large enough to matter (`pilot`). Where the scene says that the light of a
-//!    pixel changes by little, fewer are enough, and one where it cannot change.
+//!    object that is large enough to matter (`pilot`).
 //! 2. Where samples differ, the expected variance sets a number of samples, and the pixel takes
 //!    as many as it has (`expected_variance`, `allocation`).
 //! 3. The difference of the new samples from those before estimates the error (`check`). A
@@ -18,7 +17,6 @@
 
 mod allocation;
 mod check;
-mod contrasts;
 mod expected_variance;
 mod picture;
 mod pilot;
@@ -26,14 +24,13 @@ mod pixel;
 mod random;
 mod sequence;
 
-use common::{Color, Error, Image, Progress, SamplingReport, Settings, Size};
+use common::{Color, Error, Image, Progress, SamplingReport, Settings};
 use rayon::iter::{
     IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
 };
 
 use allocation::{Allocation, Target};
 use check::{Checked, Estimate, check};
-use contrasts::Contrasts;
 use expected_variance::expected_variances;
 use picture::Picture;
 use pilot::{Pilot, UNSEEN};
@@ -46,13 +43,6 @@ pub trait Radiance: Sync {
     /// A function that replaces colours by the light at some positions. It is for one thread,
     /// and keeps its memory from one call to the next.
     fn tracer(&self) -> LightAt<'_>;
-
-    /// The contrast of each pixel of a picture of this size, row after row: an upper bound of the
-    /// difference between the light at any two places of it, in each channel. It is infinite where
-    /// that is unknown; empty if nothing is known.
-    fn contrasts(&self, _: Size) -> Vec<f32> {
-        Vec::new()
-    }
 }
 
 /// Replaces colours by the light at some positions.
@@ -67,32 +57,11 @@ impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
     }
 }
 
-/// Light of which the contrast of each pixel is known.
-pub struct WithContrasts<F> {
-    /// The light at a position.
-    pub light: F,
-    /// The contrast of each pixel, as [`Radiance::contrasts`] returns it.
-    pub contrasts: Vec<f32>,
-}
-
-impl<F: Fn(f64, f64) -> Color + Sync> Radiance for WithContrasts<F> {
-    fn tracer(&self) -> LightAt<'_> {
-        self.light.tracer()
-    }
-
-    fn contrasts(&self, _: Size) -> Vec<f32> {
-        self.contrasts.clone()
-    }
-}
-
 /// Channels of a pixel: squared errors are added up over them.
 const CHANNELS: f64 = 3.0;
 /// The error to begin with, and the factor of its square from one target to the next.
 const FIRST_ERROR: f64 = 1.0 / 16.0;
 const STEP: f64 = 0.7;
-/// The last target: the squared error is this part of the allowed one. If the error is still not
-/// below the bound, pixels need more samples than they may have.
-const LAST_TARGET: f64 = 1.0 / 8.0;
 /// The least and the largest expected squared error of refined pixels, relative to the one of the
 /// step.
 const REFINED: [f64; 2] = [0.06, 0.6];
@@ -125,8 +94,8 @@ pub fn render_image(
 ) -> Result<Image, Error> {
     let mut image = Image::black(settings.size)?;
     let mut picture = Picture::new(radiance, settings, progress)?;
-    let contrasts = Contrasts(radiance.contrasts(settings.size));
-    let mut refinement = Refinement::new(&mut picture, max_radiance, contrasts, settings.samples);
+    progress.done(0.0);
+    let mut refinement = Refinement::new(&mut picture, max_radiance, settings.samples);
     refinement.until(max_error, &mut picture)?;
     progress.sampled(&refinement.sampled(&picture));
 
@@ -139,9 +108,8 @@ pub fn render_image(
 /// The refinement of a picture, target by target.
 struct Refinement {
     pilot: Pilot,
-    contrasts: Contrasts,
-    /// The brightest light of any object that may be hidden.
-    max_hidden: f64,
+    /// The brightest light of any ray.
+    max_radiance: f64,
     /// The squared error of the present step, added up over pixels and channels.
     squared_error: f64,
     /// The variances of the samples of each pixel.
@@ -153,17 +121,10 @@ struct Refinement {
 
 impl Refinement {
     /// Takes the first pilot samples.
-    fn new(
-        picture: &mut Picture,
-        max_radiance: f64,
-        contrasts: Contrasts,
-        max_samples: u32,
-    ) -> Self {
-        // An object changes the light where it is seen by no more than the contrast there.
-        let max_hidden = max_radiance.min(contrasts.largest());
+    fn new(picture: &mut Picture, max_radiance: f64, max_samples: u32) -> Self {
         let mut sampled = SamplingReport {
             pixels: picture.pixels().len() as u64,
-            max_radiance: max_hidden,
+            max_radiance,
             ..SamplingReport::default()
         };
         let squared_error = sum_of_squares(FIRST_ERROR, &sampled);
@@ -174,11 +135,10 @@ impl Refinement {
         } else {
             picture.take(pilot.pairs.div_ceil(2));
         }
-        pilot.widen(brightest_hidden(picture.brightest(), max_hidden));
+        pilot.widen(brightest_hidden(picture.brightest(), max_radiance));
         Self {
             pilot,
-            contrasts,
-            max_hidden,
+            max_radiance,
             squared_error,
             own_variances: Vec::new(),
             unrefined: Estimate::default(),
@@ -186,42 +146,42 @@ impl Refinement {
         }
     }
 
-    /// Takes samples until the error is at most `max_error`, or a finer target would not help.
+    /// Takes samples until the error is at most `max_error`, or every pixel that could gain has as
+    /// many as it may have.
     fn until(&mut self, max_error: f64, picture: &mut Picture) -> Result<(), Error> {
-        let last = LAST_TARGET * sum_of_squares(max_error, &self.sampled);
+        let mut done = 0.0_f64;
         loop {
             let goals = self.goals(picture);
             let checked = check(picture, &self.pilot, self.brightest(picture), goals);
             picture.check_stopped()?;
             self.record(&checked, self.brightest(picture));
             let is_exhausted = checked.pixels == 0 && self.pilot.pairs == self.pilot.max_pairs;
-            let is_last = is_exhausted || self.squared_error < last;
-            if is_last || !self.sampled.misses(Some(max_error)) {
+            if is_exhausted || !self.sampled.misses(Some(max_error)) {
                 return Ok(());
             }
+            // The samples grow about as the reciprocal of the error, and so does the time.
+            done = done.max(max_error / self.sampled.max_error());
+            picture.progress.done(done);
             self.lower_target(self.brightest(picture));
         }
     }
 
     /// The brightest light that an object between all samples is assumed to have.
     fn brightest(&self, picture: &Picture) -> f64 {
-        brightest_hidden(picture.brightest(), self.max_hidden)
+        brightest_hidden(picture.brightest(), self.max_radiance)
     }
 
     /// The number of pairs that a pixel is to have after the next check, as a function of its
     /// index and itself: as many again if the target wants more, so that the check compares halves.
     fn goals(&mut self, picture: &Picture) -> impl Fn(usize, &Pixel) -> u32 + Sync + use<> {
         let (pixels, width) = (picture.pixels(), picture.width());
-        let mut variances = expected_variances(pixels, width, &mut self.own_variances);
-        self.contrasts.limit(&mut variances);
-        let brightest = self.brightest(picture);
-        let least = self.contrasts.least_pairs(&self.pilot, brightest);
+        let variances = expected_variances(pixels, width, &mut self.own_variances);
         let (min_pairs, max_pairs) = (self.pilot.pairs, self.pilot.max_pairs);
         let target = Target {
             min_pairs,
             max_pairs,
             error: self.refined_part(picture) * self.squared_error,
-            spare_samples: SPARE_SAMPLES * self.pilot_samples(picture),
+            spare_samples: SPARE_SAMPLES * self.pilot_samples(),
         };
         let allocation = Allocation::new(&variances, target);
         move |i: usize, pixel: &Pixel| {
@@ -229,7 +189,7 @@ impl Refinement {
             if goal > pixel.pairs().max(min_pairs) {
                 (2 * pixel.pairs()).clamp(min_pairs + 1, max_pairs)
             } else {
-                least.get(i).copied().unwrap_or(min_pairs)
+                min_pairs
             }
         }
     }
@@ -240,24 +200,15 @@ impl Refinement {
     /// refinement by `r` samples leaves `e`, which falls as `r^-1.5` at edges. The last sample of
     /// each gains equally if `e = 4/3 u r/p`. The check estimates about twice the expected `e`.
     fn refined_part(&self, picture: &Picture) -> f64 {
-        let pilot = self.pilot_samples(picture);
+        let pilot = self.pilot_samples();
         let refined = (self.sampled.samples + picture.samples()) as f64 - pilot;
         let [least, largest] = REFINED;
         (0.5 * 4.0 / 3.0 * UNSEEN * refined / pilot).clamp(least, largest)
     }
 
     /// The number of pilot samples of all pixels.
-    fn pilot_samples(&self, picture: &Picture) -> f64 {
-        let least = self
-            .contrasts
-            .least_pairs(&self.pilot, self.brightest(picture));
-        let pixels = self.sampled.pixels as f64;
-        let pairs = if least.is_empty() {
-            f64::from(self.pilot.pairs) * pixels
-        } else {
-            least.par_iter().map(|pairs| u64::from(*pairs)).sum::<u64>() as f64
-        };
-        self.pilot.samples(pairs / pixels) * pixels
+    fn pilot_samples(&self) -> f64 {
+        self.pilot.samples() * self.sampled.pixels as f64
     }
 
     /// Records the error of the picture after a check in the report.
@@ -292,10 +243,10 @@ impl Refinement {
 }
 
 /// The brightest light of hidden objects that are searched for, if `seen` is the brightest light seen,
-/// or white, and no hidden object is brighter than `max_hidden`.
-fn brightest_hidden(seen: f64, max_hidden: f64) -> f64 {
-    if max_hidden <= BRIGHTER * seen {
-        max_hidden
+/// or white, and no hidden object is brighter than `max_radiance`.
+fn brightest_hidden(seen: f64, max_radiance: f64) -> f64 {
+    if max_radiance <= BRIGHTER * seen {
+        max_radiance
     } else {
         seen
     }

@@ -8,8 +8,6 @@
 mod accel;
 pub mod adaptive;
 mod camera;
-mod contrast;
-mod flatten;
 mod lanes;
 mod ray;
 mod renderer;

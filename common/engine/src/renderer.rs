@@ -2,13 +2,9 @@
 
 use common::{Color, Error, Image, Omission, Omissions, Progress, Settings};
 
-use glam::DVec3;
-
 use crate::accel::Accelerator;
 use crate::adaptive::{self, Radiance};
-use crate::flatten::flatten;
 use crate::shade::{RadianceBound, max_radiance};
-use crate::shape::Bounds;
 use crate::trace::Tracer;
 use crate::view::View;
 use crate::{Camera, Sampler, Scene};
@@ -24,8 +20,7 @@ pub struct Renderer<'a> {
 }
 
 impl<'a> Renderer<'a> {
-    /// Prepares a scene. Where the settings allow an error, nested transforms are
-    /// flattened and reflections cut off.
+    /// Prepares a scene. Where the settings allow an error, reflections are cut off.
     #[must_use]
     pub fn new(scene: Scene<'a>, camera: Camera<'a>, settings: &Settings) -> Self {
         let cutoff = settings.max_error.map(|max_error| RadianceBound {
@@ -36,19 +31,11 @@ impl<'a> Renderer<'a> {
             background,
             ambient,
             depth,
-            mut shapes,
+            shapes,
             surfaces,
             lights,
         } = scene;
         let omissions = settings.omissions.unwrap_or(Omissions::ALL);
-        if let Some(max_error) = settings.max_error
-            && omissions.contains(Omission::NestedNodes)
-        {
-            let max_distance = max_distance(shapes.bounds(), &camera);
-            for shape in &mut shapes.transformed.shapes {
-                flatten(shape, max_distance, max_error);
-            }
-        }
         let accelerator = if omissions.contains(Omission::DistantObjects) {
             Accelerator::new(shapes)
         } else {
@@ -104,15 +91,4 @@ impl<'a> Renderer<'a> {
             progress,
         }
     }
-}
-
-/// The largest distance from the origin of the eye and of bounded shapes.
-fn max_distance(bounds: impl Iterator<Item = (impl Sized, Bounds)>, camera: &Camera) -> f64 {
-    let eye = match camera {
-        Camera::Perspective { basis, .. } => basis.e.length(),
-        _ => 0.0,
-    };
-    let bounded = bounds.filter(|(_, bounds)| bounds.are_finite());
-    let farthest = bounded.map(|(_, bounds)| DVec3::from(bounds.magnitudes()).length());
-    farthest.fold(eye, f64::max)
 }

@@ -1,12 +1,11 @@
 //! `Scene`: shapes, surfaces and lights as plain numbers.
 
-use common::{Color, Size};
+use common::Color;
 
 use crate::accel::{Kind, Shapes};
-use crate::contrast::World;
 use crate::shade::max_radiance;
 use crate::shape::List;
-use crate::{Camera, Light, Shape, Surface, Transform};
+use crate::{Light, Shape, Surface, Transform};
 
 /// A scene.
 pub struct Scene<'a> {
@@ -59,20 +58,6 @@ impl<'a> Scene<'a> {
     #[must_use]
     pub fn max_radiance(&self) -> f64 {
         max_radiance(self).largest_channel()
-    }
-
-    /// Upper bounds of the difference between the light at any two places of a pixel, row after
-    /// row, as this camera sees them; infinite where that is unknown, and empty if nothing is known.
-    #[must_use]
-    pub fn contrasts(&self, camera: &Camera, size: Size) -> Vec<f32> {
-        let world = World {
-            shapes: &self.shapes,
-            surfaces: &self.surfaces,
-            lights: &self.lights,
-            max_radiance: max_radiance(self),
-            camera,
-        };
-        world.contrasts(size)
     }
 
     /// Passes on each shape, in the order in which they were added: its transforms, from the

@@ -34,7 +34,6 @@ pub(crate) use rays::Rays;
 use sheared_rays::ShearedRays;
 pub use sphere::Sphere;
 pub use transform::Transform;
-pub(crate) use transform::spectral_norm;
 pub(crate) use transformed::Transformed;
 pub(crate) use triangle::Corners;
 pub use triangle::Triangle;

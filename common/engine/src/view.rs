@@ -4,12 +4,11 @@
 //! more often meet the same shapes.
 
 use common::steps::{self, StepKind};
-use common::{Color, Error, Image, Progress, Settings, Size};
+use common::{Color, Error, Image, Progress, Settings};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use crate::adaptive::{LightAt, Radiance};
-use crate::contrast::World;
 use crate::sampler::image_position;
 use crate::trace::{BATCH, Batch, Tracer};
 use crate::{Camera, Sampler};
@@ -102,18 +101,6 @@ impl Radiance for View<'_, '_> {
             light.resize(positions.len(), Color::BLACK);
             self.tracer.trace(&rays, light, &mut batch);
         })
-    }
-
-    fn contrasts(&self, size: Size) -> Vec<f32> {
-        let cutoff = self.tracer.cutoff.as_ref();
-        let world = World {
-            shapes: &self.tracer.accelerator.shapes,
-            surfaces: &self.tracer.surfaces,
-            lights: &self.tracer.lights,
-            max_radiance: cutoff.map_or(Color::gray(f64::INFINITY), |cutoff| cutoff.max_radiance),
-            camera: self.camera,
-        };
-        world.contrasts(size)
     }
 }
 

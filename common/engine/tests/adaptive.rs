@@ -1,16 +1,11 @@
-//! Adaptive sampling of functions of the position, and of scenes that leave nothing to search: the
-//! true error of a picture is at most the bound, and the report of its samples is right.
+//! Adaptive sampling of functions of the position: the true error of a picture is at most the bound,
+//! and the report of its samples is right.
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicI32, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use common::{Color, Error, Image, Progress, SamplingReport, Settings, Size};
-use engine::adaptive::{PixelRandom, WithContrasts, render_image};
-use engine::{
-    Basis, Camera, Light as Lamp, LightKind, Phong, Plane, Renderer, Sampler, Scene, Shading,
-    Shape, Sphere, Surface,
-};
-use glam::{DVec3, dvec3};
+use engine::adaptive::{PixelRandom, render_image};
 use measure::experiment::HALF_GREY_LEVEL;
 
 /// Light at a position, counted from the middle of the lower left pixel.
@@ -199,38 +194,25 @@ fn no_pixel_takes_more_samples_than_allowed() {
     }
 }
 
-/// Counts the samples of each pixel, also where all pixels begin with their middle, and where the
-/// contrast of every second row is known to be 0.
+/// Counts the samples of each pixel, also where all pixels begin with their middle.
 #[test]
 fn the_reported_samples_are_those_that_were_taken() {
-    for (bound, most, is_known) in [
-        (1.0 / 64.0, 1024, false),
-        (1.0 / 64.0, 1024, true),
-        (1e-4, 6, false),
-        (1e-4, 9, true),
-        (HALF_GREY_LEVEL, 4, true),
+    for (bound, most) in [
+        (1.0 / 64.0, 1024),
+        (1e-4, 6),
+        (1e-4, 9),
+        (HALF_GREY_LEVEL, 4),
     ] {
         let mut settings = settings(bound, 0);
         settings.samples = most;
         let size = settings.size;
         let taken: Vec<_> = (0..size.pixels()).map(|_| AtomicU32::new(0)).collect();
         let light = |x: f64, y: f64| {
-            let row = y.round();
-            let pixel = row * f64::from(size.width()) + x.round();
+            let pixel = y.round() * f64::from(size.width()) + x.round();
             taken[pixel as usize].fetch_add(1, Ordering::Relaxed);
-            let is_even = row.rem_euclid(2.0) < 1.0;
-            Color::gray(if is_even { 0.5 } else { DISC(x, y) })
+            DISC(x, y)
         };
-        let contrast = |row: u32| if row % 2 == 1 { 0.0 } else { f32::INFINITY };
-        let rows = (0..size.height()).filter(|_| is_known);
-        let contrasts = rows.flat_map(|row| vec![contrast(row); size.width() as usize]);
-        let light = WithContrasts {
-            light,
-            contrasts: contrasts.collect(),
-        };
-        let sampled = Mutex::new(SamplingReport::default());
-        render_image(bound, 1.0, &light, &settings, &sampled).unwrap();
-        let sampled = sampled.into_inner().unwrap();
+        let (_, sampled) = adaptive(light, 1.0, &settings);
         let taken: Vec<_> = taken.into_iter().map(AtomicU32::into_inner).collect();
         assert_eq!(taken.iter().max(), Some(&sampled.most), "{sampled}");
         let samples: u64 = taken.iter().copied().map(u64::from).sum();
@@ -239,84 +221,25 @@ fn the_reported_samples_are_those_that_were_taken() {
     }
 }
 
-/// Stratified samples, this number squared in each pixel.
-struct Stratified(u32);
-
-impl Sampler for Stratified {
-    fn samples(&self) -> u32 {
-        self.0 * self.0
-    }
-
-    fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
-        let random = PixelRandom::new(0x5EED, column, row);
-        let n = 2 * u64::from(i);
-        let in_cell = |cell: u32, n| (f64::from(cell) + random.uniform(n)) / f64::from(self.0);
-        (in_cell(i % self.0, n), in_cell(i / self.0, n + 1))
-    }
-}
-
-/// A scene of no shapes, of a wall, or of a ball of 208 pixels, all of it shiny.
-fn room(shape: Option<Shape<'static>>) -> Scene<'static> {
-    let mut scene = Scene::new(Color::new(0.3, 0.4, 0.5), Color::gray(0.1), 4);
-    let surface = scene.add_surface(Surface {
-        shading: Shading::Phong(Phong {
-            diffuse: Color::gray(0.6),
-            specular: Color::gray(0.3),
-            exponent: 40.0,
-        }),
-        reflection: Color::gray(0.1),
-    });
-    if let Some(shape) = shape {
-        scene.add_shape(shape, surface);
-    }
-    scene.add_light(Lamp {
-        kind: LightKind::Point {
-            color: Color::gray(0.9),
-            position: dvec3(3.0, 4.0, 6.0),
-        },
-        casts_shadows: true,
-    });
-    scene
-}
-
-/// Where the scene says that nothing can be hidden, it is not searched.
+/// Ten specks of a tenth of a pixel, of which few samples meet one: some of their pixels need more
+/// than 512 samples for this bound, and may have them.
 #[test]
-fn a_picture_in_which_nothing_can_hide_takes_few_samples_and_keeps_the_bound() {
-    let bound = 1.0 / 1020.0;
-    let basis = Basis {
-        e: dvec3(0.0, 0.0, 5.0),
-        u: DVec3::X,
-        v: DVec3::Y,
-        w: DVec3::Z,
-    };
-    let half_tangent = 3_f64.sqrt() / 3.0;
-    let (point, normal) = (DVec3::ZERO, DVec3::Z);
-    let wall = || Some(Shape::Plane(Plane { point, normal }));
-    let (center, radius) = (DVec3::ZERO, 0.96);
-    let ball = || Some(Shape::Sphere(Sphere { center, radius }));
-    let shapes: [(&dyn Fn() -> _, _); 3] = [(&|| None, 1.0), (&wall, 8.0), (&ball, 8.0)];
-    for (shape, most) in shapes {
-        let mut settings = settings(bound, 0);
-        settings.size = Size::new(64, 48).unwrap();
-        let render = |settings: &Settings, sampled: &Mutex<SamplingReport>| {
-            let camera = Camera::Perspective {
-                basis,
-                half_tangent,
-            };
-            let renderer = Renderer::new(room(shape()), camera, settings);
-            renderer.render(&Stratified(24), settings, sampled).unwrap()
+fn a_bound_is_given_up_only_where_no_more_samples_are_allowed() {
+    let specks: Light = |x, y| {
+        let is_in = |i: u32| {
+            let (x, y) = (x - 7.31 * f64::from(i) - 3.2, y - 5.17 * f64::from(i) - 4.4);
+            x * x + y * y < 0.05 * 0.05
         };
-        let sampled = Mutex::new(SamplingReport::default());
-        let image = render(&settings, &sampled);
-        let sampled = sampled.into_inner().unwrap();
-        settings.max_error = None;
-        let reference = render(&settings, &Mutex::default());
-        let error = root_mean_square(&image, &reference);
-        assert!(error <= bound, "{error}: {sampled}");
-        assert!(!sampled.misses(Some(bound)), "{sampled}");
-        assert!(!sampled.is_conditional(), "{sampled}");
-        let mean = sampled.samples as f64 / sampled.pixels as f64;
-        assert!(mean <= most, "{sampled}");
+        f64::from(u8::from((0..10).any(is_in)))
+    };
+    for seed in 0..6 {
+        let mut settings = settings(HALF_GREY_LEVEL, seed);
+        settings.samples = 1_000_000;
+        let (_, sampled) = adaptive(specks, 1.0, &settings);
+        assert!(
+            !sampled.misses(settings.max_error),
+            "seed {seed}: {sampled}"
+        );
     }
 }
 
@@ -343,16 +266,14 @@ fn light_that_is_not_finite_comes_to_an_end() {
     }
 }
 
-/// The number of rows that are still to be painted, and whether the rendering is stopped.
-struct Rows(AtomicI32, bool);
+/// The fractions that are told, and whether the rendering is stopped.
+struct Fractions(Mutex<Vec<f64>>, bool);
 
-impl Progress for Rows {
-    fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {
-        assert!(self.0.fetch_sub(1, Ordering::Relaxed) > 0);
-    }
+impl Progress for Fractions {
+    fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
 
-    fn more_rows(&self, rows: u32) {
-        self.0.fetch_add(rows as i32, Ordering::Relaxed);
+    fn done(&self, fraction: f64) {
+        self.0.lock().unwrap().push(fraction);
     }
 
     fn stopped(&self) -> bool {
@@ -361,12 +282,15 @@ impl Progress for Rows {
 }
 
 #[test]
-fn rows_are_announced_before_they_are_painted_again_unless_the_rendering_is_stopped() {
+fn the_fraction_of_the_work_grows_and_stays_below_1() {
     for stopped in [false, true] {
-        let rows = Rows(60.into(), stopped);
+        let fractions = Fractions(Mutex::default(), stopped);
         let (light, settings) = (|x, y| Color::gray(DISC(x, y)), settings(1.0, 0));
-        let result = render_image(HALF_GREY_LEVEL, 1.0, &light, &settings, &rows);
+        let result = render_image(HALF_GREY_LEVEL, 1.0, &light, &settings, &fractions);
         assert_eq!(matches!(result, Err(Error::Stopped)), stopped);
-        assert!(stopped || rows.0.into_inner() == 0);
+        let told = fractions.0.into_inner().unwrap();
+        assert!(told.is_sorted() && told[0] == 0.0, "{told:?}");
+        assert!(told.iter().all(|fraction| *fraction < 1.0), "{told:?}");
+        assert!(stopped || told.len() > 3, "{told:?}");
     }
 }

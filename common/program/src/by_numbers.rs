@@ -4,10 +4,10 @@ use common::pixel_trace::digits;
 use common::sensitivity::{Edge, Influence, NumberPlace, Response, Unit};
 use common::{Error, Scene, Settings, text};
 
-use crate::number_progress::NumberProgress;
 use crate::options::Options;
 use crate::print::print;
 use crate::render::warn_unused;
+use crate::terminal_progress::TerminalProgress;
 
 /// Prints how the linear colour of a pixel changes with each number of the scene file.
 pub fn list_numbers(
@@ -18,7 +18,7 @@ pub fn list_numbers(
     as_json: bool,
 ) -> Result<(), Error> {
     let rays = scene.rays()?;
-    let progress = NumberProgress::new(scene.name);
+    let progress = TerminalProgress::new(scene.name, settings.size);
     let threads = options.thread_pool()?;
     let influences = threads.install(|| rays.influences(settings, pixel, &progress))?;
     drop(progress);

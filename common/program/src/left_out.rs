@@ -49,10 +49,6 @@ impl Words {
                 "reflected rays that nobody could see",
                 "what they bring back is less than the allowed error",
             ),
-            Omission::NestedNodes => (
-                "rays moved from node to node",
-                "one matrix moves them at once, and rounds by less than the allowed error",
-            ),
             Omission::DistantObjects => (
                 "tests of objects far from a ray",
                 "the ray misses the boxes around them",
@@ -111,9 +107,7 @@ fn is_left_out(omission: Omission, settings: &Settings) -> bool {
     let is_engine = settings.renderer == Renderer::Engine;
     match omission {
         Omission::DistantObjects => is_engine,
-        Omission::FaintReflections | Omission::NestedNodes => {
-            is_engine && settings.max_error.is_some()
-        }
+        Omission::FaintReflections => is_engine && settings.max_error.is_some(),
         _ => true,
     }
 }

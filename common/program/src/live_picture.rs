@@ -7,6 +7,8 @@ use std::time::{Duration, Instant};
 use common::{Color, Error, Image, Progress, Sampling, Scene, Settings, Size, Transfer};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget};
 
+use crate::terminal_progress::set_fraction;
+
 /// The packed 0xRRGGBB pixels of a picture while it is rendered; black where nothing is known.
 ///
 /// All threads of the rendering write it, and the window's thread reads it, without
@@ -17,7 +19,7 @@ pub struct LivePicture {
     transfer: Transfer,
     pixels: Vec<AtomicU32>,
     changes: AtomicU32,
-    /// Counts rows, and is not drawn; a row that is painted again counts again.
+    /// Counts rows, or fractions where they are told; it is not drawn.
     bar: ProgressBar,
     stopped: AtomicBool,
     /// When the rendering began.
@@ -141,8 +143,8 @@ impl Progress for LivePicture {
         self.bar.inc(1);
     }
 
-    fn more_rows(&self, rows: u32) {
-        self.bar.inc_length(rows.into());
+    fn done(&self, fraction: f64) {
+        set_fraction(&self.bar, fraction);
     }
 
     fn stopped(&self) -> bool {
@@ -205,10 +207,11 @@ mod tests {
         for y in [0, 1, 3] {
             live.row(y, &mut [Color::BLACK; 3].into_iter());
         }
-        // A row that is painted again is work, too.
-        live.more_rows(1);
-        assert_eq!(live.fraction(), 0.8);
+        assert_eq!(live.fraction(), 1.0);
+        // Where rows are painted again, they do not tell the fraction.
+        live.done(0.5);
         live.row(2, &mut [Color::WHITE; 3].into_iter());
-        assert_eq!((live.fraction(), live.pixel(0, 2)), (1.0, white));
+        assert_eq!(live.pixel(0, 2), white);
+        assert!((live.fraction() - 0.5).abs() < 1e-9);
     }
 }

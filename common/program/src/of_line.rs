@@ -6,11 +6,11 @@ use common::pixel_trace::digits;
 use common::sensitivity::DependentPixels;
 use common::{Error, Renderer, Scene, Settings, Stage, text};
 
-use crate::number_progress::NumberProgress;
 use crate::options::Options;
 use crate::print::print;
 use crate::render::{render, warn_unused};
 use crate::target::Target;
+use crate::terminal_progress::TerminalProgress;
 
 /// Writes the heat map of a line of the scene file, and says how many pixels depend on it.
 pub fn draw_pixels_of(
@@ -36,7 +36,7 @@ pub fn draw_pixels_of(
     };
     target.check(stage, &map)?;
     let threads = options.thread_pool()?;
-    let progress = NumberProgress::new(scene.name);
+    let progress = TerminalProgress::new(scene.name, settings.size);
     let found = threads.install(|| rays.pixels_of(settings, line as usize, &progress))?;
     drop(progress);
     warn_unused(scene, options, settings);

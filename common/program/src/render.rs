@@ -101,10 +101,11 @@ pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<I
     if let Some(samples) = samples {
         warn(&format!("note: {name}: {samples}"));
         if samples.misses(settings.max_error) {
-            warn(
-                "warning: the error may be larger than --max-error; with more --samples it may \
-                 be promised",
-            );
+            let part = samples.largest_part();
+            warn(&format!(
+                "warning: the error may be larger than --max-error: {part}; with more --samples it \
+                 may be promised"
+            ));
         } else if samples.is_conditional() {
             warn(
                 "warning: the error is not promised: a small thing brighter than that may be hidden \

@@ -76,14 +76,23 @@ pub fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
     bar
 }
 
+/// Steps of a bar that shows a fraction: so many that rows change nothing beside it.
+const FINE: u64 = 1 << 40;
+
+/// Shows that a fraction of the work is done.
+pub fn set_fraction(bar: &ProgressBar, fraction: f64) {
+    bar.set_length(FINE);
+    bar.set_position((fraction * FINE as f64) as u64);
+}
+
 impl Progress for TerminalProgress {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {
         self.bar.inc(1);
         self.print_hint();
     }
 
-    fn more_rows(&self, rows: u32) {
-        self.bar.inc_length(rows.into());
+    fn done(&self, fraction: f64) {
+        set_fraction(&self.bar, fraction);
     }
 
     fn sampled(&self, sampled: &SamplingReport) {
@@ -114,8 +123,11 @@ mod tests {
         let progress = TerminalProgress::new("scene", Size::new(3, 4).unwrap());
         let bar = progress.bar.clone();
         progress.row(2, &mut std::iter::empty());
-        progress.more_rows(2);
-        assert_eq!((bar.position(), bar.length()), (1, Some(6)));
+        assert_eq!((bar.position(), bar.length()), (1, Some(4)));
+        progress.done(0.25);
+        progress.row(3, &mut std::iter::empty());
+        let shown = bar.position() as f64 / bar.length().unwrap() as f64;
+        assert!((shown - 0.25).abs() < 1e-9, "{shown}");
         assert_eq!(progress.samples(), None);
         progress.sampled(&SamplingReport::default());
         assert_eq!(progress.samples(), Some(SamplingReport::default()));

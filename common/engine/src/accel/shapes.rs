@@ -2,10 +2,8 @@
 
 use super::ids::{Kind, ShapeId};
 use super::shape_list::{Attributes, ShapeList};
-use crate::lanes::{Lanes, PacketHit};
 use crate::shape::{
-    AxisAlignedBox, Bounds, Disc, List, Mesh, Other, Plane, Primitive, Rays, Shape, Sphere,
-    Transformed,
+    AxisAlignedBox, Bounds, Disc, List, Mesh, Other, Plane, Primitive, Shape, Sphere, Transformed,
 };
 
 /// All shapes of a scene.
@@ -116,20 +114,6 @@ impl<'a> Shapes<'a> {
         })
     }
 
-    /// Where four rays meet a shape; NaN in lanes without a hit.
-    pub fn intersect(&self, id: ShapeId, rays: &Rays) -> Lanes {
-        let index = id.index as usize;
-        with_list!(self, id.kind, |list| intersect(&list.shapes, index, rays))
-    }
-
-    /// The hits of four rays on a shape, at these `t`, their normals pointing out of it.
-    pub fn hits_on(&self, id: ShapeId, rays: &Rays, t: Lanes) -> PacketHit {
-        let index = id.index as usize;
-        with_list!(self, id.kind, |list| {
-            list.shapes.get(index).hits(rays, t, rays.active)
-        })
-    }
-
     /// Sorts the shapes of each kind in the order of these ids, and renumbers the ids.
     pub fn reorder<'s>(&mut self, shapes: impl Iterator<Item = &'s mut ShapeId>) {
         let mut orders = [const { Vec::new() }; Kind::ALL.len()];
@@ -147,9 +131,4 @@ impl<'a> Shapes<'a> {
         self.transformed.reorder(order(Kind::Transformed));
         self.others.reorder(order(Kind::Other));
     }
-}
-
-/// Where four rays meet a shape of a list.
-fn intersect<L: List>(list: &L, index: usize, rays: &Rays) -> Lanes {
-    <L::Shape<'_>>::intersect(&list.splat(index), rays, rays.active)
 }

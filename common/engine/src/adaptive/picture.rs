@@ -21,10 +21,8 @@ const BATCH_PAIRS: usize = 32;
 pub struct Picture<'a> {
     radiance: &'a dyn Radiance,
     settings: &'a Settings,
-    progress: &'a dyn Progress,
+    pub progress: &'a dyn Progress,
     pixels: Vec<Pixel>,
-    /// The number of rows reported so far.
-    reported: AtomicU32,
     /// The bits of the brightest channel of a sample. Bits of numbers above 0 grow with them.
     brightest: AtomicU32,
 }
@@ -47,7 +45,6 @@ impl<'a> Picture<'a> {
             settings,
             progress,
             pixels,
-            reported: AtomicU32::new(0),
             brightest: AtomicU32::new(1_f32.to_bits()),
         })
     }
@@ -177,9 +174,6 @@ impl<'a> Picture<'a> {
 
     /// Reports a row as it is now.
     fn report(&self, row: usize, pixels: &[Pixel]) {
-        if self.reported.fetch_add(1, Ordering::Relaxed) >= self.settings.size.height() {
-            self.progress.more_rows(1);
-        }
         let mut colors = pixels.iter().map(Pixel::mean);
         self.progress.row(row as u32, &mut colors);
     }

@@ -93,24 +93,10 @@ impl Pilot {
         (self.fraction, self.pairs) != (fraction, pairs)
     }
 
-    /// The pairs for a pixel whose light changes by at most `contrast`, if an object between all
-    /// samples is at most as bright as `brightest`: so many that one more sample would change it by
-    /// no more than it would change a pixel with all pairs.
-    pub fn pairs_for(&self, contrast: f64, brightest: f64) -> u32 {
-        if contrast < brightest {
-            (f64::from(self.pairs) * (contrast / brightest)).ceil() as u32
-        } else if contrast > 0.0 {
-            self.pairs
-        } else {
-            0
-        }
-    }
-
-    /// The mean number of pilot samples of a pixel, its middle included, if the mean number of
-    /// pairs of those that are chosen is `pairs`.
-    pub fn samples(&self, pairs: f64) -> f64 {
+    /// The mean number of pilot samples of a pixel, its middle included.
+    pub fn samples(&self) -> f64 {
         let middle = f64::from(u8::from(self.middles));
-        middle + self.fraction * 2.0 * pairs
+        middle + self.fraction * f64::from(2 * self.pairs)
     }
 
     /// The squared error of objects between all samples, with 95 % confidence.
@@ -120,7 +106,7 @@ impl Pilot {
             // others: three quarters of 1/fraction.
             (RULE_OF_THREE.max(1.0 / self.fraction), brightest)
         } else {
-            (RULE_OF_THREE, brightest / self.samples(self.pairs.into()))
+            (RULE_OF_THREE, brightest / self.samples())
         };
         let error = error.min(1.0);
         CHANNELS * pixels * error * error

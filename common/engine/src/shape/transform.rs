@@ -90,7 +90,7 @@ pub(super) fn norm(matrix: DMat4) -> f64 {
 /// At least the spectral norm of the upper left three by three numbers `a`, and equal to
 /// it if they turn, and stretch evenly: |a|² = |aᵀ a|, and no norm is above the largest
 /// sum of a row's magnitudes.
-pub(crate) fn spectral_norm(matrix: DMat4) -> f64 {
+pub(super) fn spectral_norm(matrix: DMat4) -> f64 {
     let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(glam::DVec4::truncate);
     let sum = |a: DVec3| columns.iter().map(|b| a.dot(*b).abs()).sum::<f64>();
     columns.map(sum).into_iter().fold(0.0, f64::max).sqrt()

@@ -1,8 +1,7 @@
 //! `Transformed`: a shape under a chain of transforms.
 //!
 //! The transforms are applied one by one, as the nodes of a scene graph do: their
-//! product would round otherwise. Only the bounds come from the product. `flatten` takes
-//! it for rays, too, where a picture may have an error.
+//! product would round otherwise. Only the bounds come from the product.
 
 use common::steps::{self, StepKind};
 
