@@ -6,6 +6,7 @@
 use common::{Omissions, Renderer, Settings, steps};
 
 mod drawing;
+mod footprint;
 pub mod orbit_camera;
 pub mod pixel_trace;
 pub mod recorded;

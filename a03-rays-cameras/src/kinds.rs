@@ -4,7 +4,7 @@
 mod export;
 mod for_engine;
 mod format;
-pub mod sensitivity;
+mod numbered_file;
 
 use std::any::Any;
 
@@ -14,6 +14,7 @@ use scene_file::{Error, Item, SceneFile};
 use for_engine::camera as camera_for_engine;
 pub(crate) use for_engine::{light_at, render};
 pub use format::{Format, settings};
+pub use numbered_file::NumberedFile;
 
 use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera};
 

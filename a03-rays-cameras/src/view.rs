@@ -4,14 +4,14 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use common::sensitivity::{DependentPixels, Influence};
+use common::sensitivity::{Footprint, NumberPlace};
 use common::{
     ArgumentError, Color, Edits, Error, Image, Picture, PixelTrace, Progress, Renderer, Scene,
     SeenLine, Settings, Size, Traced, UsedSettings,
 };
 
 use crate::instruments::Instruments;
-use crate::kinds::sensitivity::NumberedFile;
+use crate::kinds::NumberedFile;
 use crate::{Camera, Ray, instruments, kinds, render};
 
 /// A camera and the world before it.
@@ -182,22 +182,15 @@ impl TracedScene {
         }
         Ok(view.edited(settings.size, &settings.edits))
     }
-
-    /// The file that it was read from.
-    fn numbered(&self) -> Result<&NumberedFile, Error> {
-        self.file.as_deref().ok_or_else(|| {
-            Error::Usage(format!(
-                "{} is a scene of the program, whose numbers stand in its code; name a scene file, \
-                 such as one that `export {} --to toml -o scene.toml` writes",
-                self.name, self.name
-            ))
-        })
-    }
 }
 
 impl Traced for TracedScene {
     fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
         self.edited_view(settings)?.render(settings, progress)
+    }
+
+    fn color(&self, settings: &Settings, pixel: [u32; 2]) -> Result<Color, Error> {
+        Ok(self.edited_view(settings)?.color(settings, pixel))
     }
 
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
@@ -222,22 +215,33 @@ impl Traced for TracedScene {
         self.edited_view(settings)?.export(language, settings)
     }
 
-    fn influences(
-        &self,
-        settings: &Settings,
-        pixel: [u32; 2],
-        progress: &dyn Progress,
-    ) -> Result<Vec<Influence>, Error> {
-        self.numbered()?.influences(settings, pixel, progress)
+    fn numbers(&self, settings: &Settings) -> Result<Vec<NumberPlace>, Error> {
+        let Some(file) = &self.file else {
+            return Err(Error::Usage(format!(
+                "{} is a scene of the program, whose numbers stand in its code; name a scene file, \
+                 such as one that `export {} --to toml -o scene.toml` writes",
+                self.name, self.name
+            )));
+        };
+        Ok(file.numbers(settings))
     }
 
-    fn pixels_of(
+    fn with(
         &self,
         settings: &Settings,
-        line: usize,
-        progress: &dyn Progress,
-    ) -> Result<DependentPixels, Error> {
-        self.numbered()?.pixels_of(settings, line, None, progress)
+        number: &NumberPlace,
+        value: f64,
+    ) -> Option<Box<dyn Traced>> {
+        let known = Arc::clone(self.file.as_ref()?);
+        let file = known.file.with(settings.transfer, number, value)?;
+        Some(Box::new(Self {
+            view: Arc::new(move |_| known.view_of(&file)),
+            ..self.clone()
+        }))
+    }
+
+    fn footprint(&self, settings: &Settings, pixel: Option<[u32; 2]>) -> Result<Footprint, Error> {
+        Ok(self.edited_view(settings)?.footprint(settings.size, pixel))
     }
 }
 

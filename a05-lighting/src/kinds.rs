@@ -7,7 +7,7 @@
 mod light_row;
 mod material_row;
 
-use a02_math::{Point3, Vector3};
+use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::View;
 use a03_rays_cameras::kinds::{Format, read_camera};
 use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
@@ -15,7 +15,7 @@ use common::Color;
 use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{
-    DirectionalLight, Lambert, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
+    DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
 pub use light_row::{LightKind, LightRow, Lights};
 pub use material_row::{MaterialKind, MaterialRow, Materials};
@@ -65,6 +65,12 @@ impl LightKind for SpotLight {
         let position = item.vector("position", Point3::new)?;
         let direction = item.vector("direction", Vector3::new)?;
         item.check(Self::new(color, position, direction, half_angle))
+    }
+
+    /// The cosine between its axis and the direction to the point, beyond that of the edge.
+    fn margin(&self, point: Point3) -> Option<f64> {
+        let light = self.source.illumination(point)?;
+        Some((-light.direction).dot(self.direction) - self.cos_half_angle)
     }
 
     fn for_engine(&self) -> engine::LightKind<'static> {

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::sensitivity::{DependentPixels, Influence};
+use crate::sensitivity::{Footprint, NumberPlace};
 use crate::{Color, Error, Image, PixelTrace, Progress, Settings, Size};
 
 /// A function that paints a picture with these settings.
@@ -48,6 +48,9 @@ pub trait Traced: Any + Send + Sync {
     /// The picture, by the renderer of the settings.
     fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error>;
 
+    /// The linear colour of a pixel by the lesson: the mean of its samples.
+    fn color(&self, settings: &Settings, pixel: [u32; 2]) -> Result<Color, Error>;
+
     /// The numbers behind a pixel, whose column and row lie in the picture, by the renderer of
     /// the settings. The engine has only those of the samples.
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error>;
@@ -64,23 +67,20 @@ pub trait Traced: Any + Send + Sync {
     /// The scene as text in a language: `toml` or `povray`.
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;
 
-    /// How a pixel changes with each number of the scene file, the strongest first; an error if it
-    /// is no scene of a file.
-    fn influences(
-        &self,
-        settings: &Settings,
-        pixel: [u32; 2],
-        progress: &dyn Progress,
-    ) -> Result<Vec<Influence>, Error>;
+    /// The numbers of the scene file in the order of its text, with colours in bytes as pictures with
+    /// the transfer of the settings have them; an error if it is no scene of a file.
+    fn numbers(&self, settings: &Settings) -> Result<Vec<NumberPlace>, Error>;
 
-    /// The pixels that depend on the numbers of a line of the scene file, by the engine; an error
-    /// if it is no scene of a file, or the line has no such numbers.
-    fn pixels_of(
+    /// The same scene with another value of a number of its file; none if this value is not allowed.
+    fn with(
         &self,
         settings: &Settings,
-        line: usize,
-        progress: &dyn Progress,
-    ) -> Result<DependentPixels, Error>;
+        number: &NumberPlace,
+        value: f64,
+    ) -> Option<Box<dyn Traced>>;
+
+    /// How large a pixel is where its objects are; without one, a pixel of the picture.
+    fn footprint(&self, settings: &Settings, pixel: Option<[u32; 2]>) -> Result<Footprint, Error>;
 }
 
 /// A picture of a stage, under the name that the course gives it. A copy shares the code.

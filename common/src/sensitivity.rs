@@ -1,15 +1,28 @@
-//! `sensitivity`: how the colour of a pixel changes with a number of its scene.
+//! `sensitivity`: how the colour of a pixel changes with the numbers of its scene file.
 //!
-//! The types are here, and the numerics of one number; which numbers a scene has, and what a pixel
-//! is with another value, is the business of those who know the scene.
+//! A number is moved a little, and the pixel is traced again. A trace knows each decision of the
+//! lesson and by which margin it was taken ([`margins`]): so the nearest edge is found from the
+//! margins, and the slope between the edges by differences ([`Response`]).
 
+mod edge;
+mod margins;
 mod response;
+mod slope;
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::{Color, Error, Image, Size};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-pub use response::{Edge, Response};
+use crate::steps::StepKind;
+use crate::{Error, Progress, Renderer, Settings, Traced};
+
+pub use edge::Edge;
+pub use margins::{Margin, margins};
+pub use response::Response;
+
+/// The channels of a linear colour.
+pub type Channels = [f64; 3];
 
 /// The unit of a number of a scene, from which the step follows that moves it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +35,8 @@ pub enum Unit {
     Direction(f64),
     /// A factor or an exponent, which has no unit.
     Factor,
+    /// A factor by which shapes are stretched.
+    Scale,
     /// A channel of a colour, in linear light: 1 is the brightest that a picture shows.
     Channel,
     /// A whole number, such as a number of copies. A colour has no derivative by it.
@@ -41,6 +56,8 @@ pub struct NumberPlace {
     pub bytes: Range<usize>,
     /// The first byte of its value, which may be a list of several numbers.
     pub at: usize,
+    /// Which of these numbers it is, from 0.
+    pub index: usize,
     /// Its table, such as `[[sphere]] #2`: the second one in the file, or in its group.
     pub table: String,
     /// Its key, and which of the numbers of this key it is, such as `center x`.
@@ -49,6 +66,52 @@ pub struct NumberPlace {
     pub value: f64,
     /// Its unit.
     pub unit: Unit,
+    /// The least and the greatest number that its key allows.
+    pub allowed: [f64; 2],
+}
+
+/// How large a pixel is where its objects are.
+#[derive(Clone, Copy, Debug)]
+pub struct Footprint {
+    /// Its width, in the unit of the scene.
+    pub width: f64,
+    /// The angle between the rays of neighbouring pixels, in radians; of parallel rays, the angle
+    /// under which its width is seen from the object.
+    pub angle: f64,
+    /// The same angle seen from the origin of the world, if it is larger there, for what rotates
+    /// objects and lights.
+    pub angle_of_world: f64,
+}
+
+/// By how much colours and factors are moved, of their size, but at least of 1.
+const OF_SIZE: f64 = 1.0 / 256.0;
+/// A number is moved by at least this fraction of its size, so that rounding does not hide it.
+const LEAST: f64 = 1e-9;
+
+impl Footprint {
+    /// By how much a number is moved, so that things move by about a fraction of a pixel.
+    #[must_use]
+    pub fn reach(self, number: &NumberPlace, fraction: f64) -> f64 {
+        let size = number.value.abs();
+        let angle = if number.table == "[camera]" {
+            self.angle
+        } else {
+            self.angle_of_world
+        };
+        let reach = match number.unit {
+            Unit::Length => fraction * self.width,
+            Unit::Degree => fraction * angle.to_degrees(),
+            Unit::Direction(length) => fraction * angle * length,
+            Unit::Scale => fraction * angle * size,
+            Unit::Factor | Unit::Channel | Unit::Whole => OF_SIZE * size.max(1.0),
+        };
+        let least = LEAST * size.max(f64::MIN_POSITIVE);
+        if reach.is_finite() {
+            reach.max(least)
+        } else {
+            least
+        }
+    }
 }
 
 /// A number, and how a pixel changes with it.
@@ -71,68 +134,141 @@ pub fn sort_by_strength(influences: &mut [Influence]) {
     });
 }
 
-/// The pixels that depend on some numbers of a scene.
-#[derive(Clone, Debug)]
-pub struct DependentPixels {
-    /// Width and height of the picture.
-    pub size: Size,
-    /// How much each pixel changes, row after row from the top: the largest change of a channel when
-    /// one of the numbers moves by its step; 0 for a pixel that does not change at all.
-    pub strengths: Vec<f64>,
-    /// The numbers, and the steps by which they were moved.
-    pub numbers: Vec<(NumberPlace, f64)>,
-}
+/// Edges are looked for so far that things move by this fraction of a pixel.
+const PIXEL: f64 = 0.5;
 
-impl DependentPixels {
-    /// The number of pixels that change.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.strengths.iter().filter(|it| **it > 0.0).count()
-    }
-
-    /// The largest strength.
-    #[must_use]
-    pub fn largest(&self) -> f64 {
-        self.strengths.iter().copied().fold(0.0, f64::max)
-    }
-
-    /// The strength of each pixel from 0 to 1: 1 for the largest change, 1/3 less for each tenth of it,
-    /// but at least 1/10 for a pixel that changes at all.
-    #[must_use]
-    pub fn heat(&self) -> Vec<f64> {
-        let largest = self.largest();
-        let heat = |strength: &f64| {
-            if *strength > 0.0 {
-                (1.0 + libm::log10(strength / largest) / 3.0).max(0.1)
-            } else {
-                0.0
+/// How the linear colour of a pixel, the mean of its samples before it is clamped, changes with some
+/// numbers of its scene file, in their order. Stops with [`Error::Stopped`].
+pub fn influences(
+    scene: &dyn Traced,
+    settings: &Settings,
+    pixel: [u32; 2],
+    numbers: &[NumberPlace],
+    progress: &dyn Progress,
+) -> Result<Vec<Influence>, Error> {
+    let settings = &Settings {
+        renderer: Renderer::Lesson,
+        ..settings.clone()
+    };
+    let footprint = scene.footprint(settings, Some(pixel))?;
+    let tried = AtomicUsize::new(0);
+    progress.done(0.0);
+    let influences = numbers.par_iter().map(|number| {
+        if progress.stopped() {
+            return Err(Error::Stopped);
+        }
+        let response = match number.unit {
+            Unit::Whole => Response::Whole,
+            unit => {
+                let at = Moved {
+                    scene,
+                    settings,
+                    pixel,
+                    number,
+                    moves_things: !matches!(unit, Unit::Channel | Unit::Factor),
+                };
+                Response::of(number.value, at.reach(footprint), &at)
             }
         };
-        self.strengths.iter().map(heat).collect()
+        let tried = 1 + tried.fetch_add(1, Ordering::Relaxed);
+        progress.done(tried as f64 / numbers.len() as f64);
+        Ok(Influence {
+            number: number.clone(),
+            response,
+        })
+    });
+    influences.collect()
+}
+
+/// A pixel while one number of its scene is moved.
+trait Pixel {
+    /// Its colour with a value of the number; none where it has no finite colour.
+    fn color(&self, value: f64) -> Option<Channels>;
+
+    /// Its colour, and the margins of the decisions behind it.
+    fn state(&self, value: f64) -> Option<State>;
+}
+
+/// A pixel with one value of a number.
+#[derive(Clone, Debug)]
+struct State {
+    color: Channels,
+    /// Sorted by the decisions.
+    margins: Vec<Margin>,
+}
+
+/// A pixel of a scene file.
+struct Moved<'a> {
+    scene: &'a dyn Traced,
+    settings: &'a Settings,
+    pixel: [u32; 2],
+    number: &'a NumberPlace,
+    /// Whether another value moves things: a colour changes no decision.
+    moves_things: bool,
+}
+
+impl Moved<'_> {
+    /// How far edges are looked for.
+    ///
+    /// A camera may turn far more than the footprint tells: towards a point near the eye. So its ray
+    /// is compared with that of a camera that has moved a little.
+    fn reach(&self, footprint: Footprint) -> f64 {
+        let reach = footprint.reach(self.number, PIXEL);
+        let (value, little) = (self.number.value, reach / 1024.0);
+        let distance = footprint.width / footprint.angle;
+        let seen = [value, value + little].map(|value| self.camera_ray_at(value, distance));
+        let [Some(before), Some(after)] = seen else {
+            return reach;
+        };
+        let moved = minus(after, before);
+        let moved = (moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]).sqrt();
+        let longest = PIXEL * footprint.width / moved * little;
+        if longest < reach { longest } else { reach }
     }
 
-    /// A heat map over the grey picture: red where pixels change a little, over orange, to white where
-    /// they change most. A pixel that does not change is grey.
-    pub fn over(&self, picture: &Image) -> Result<Image, Error> {
-        let heat = self.heat();
-        let width = self.size.width() as usize;
-        Image::from_fn(self.size, |x, y| {
-            let heat = heat
-                .get(y as usize * width + x as usize)
-                .copied()
-                .unwrap_or(0.0);
-            let color = picture.get(x, y).unwrap_or_default();
-            let [r, g, b] = color.channels().map(|channel| channel.clamp(0.0, 1.0));
-            // The luminance of linear light (ITU-R BT.709).
-            let grey = 0.5 * (0.2126 * r + 0.7152 * g + 0.0722 * b);
-            if heat == 0.0 {
-                return Color::gray(grey);
-            }
-            Color::new(
-                (0.4 + 1.2 * heat).min(1.0),
-                heat * heat.sqrt(),
-                heat * heat * heat * heat,
-            )
+    /// The point on the first ray of the pixel at this distance.
+    fn camera_ray_at(&self, value: f64, distance: f64) -> Option<[f64; 3]> {
+        if self.number.table != "[camera]" {
+            return None;
+        }
+        let moved = self.scene.with(self.settings, self.number, value)?;
+        let trace = moved.trace(self.settings, self.pixel).ok()?;
+        let mut steps = trace.steps.iter();
+        let ray = steps.find(|step| step.kind == StepKind::CameraRay)?;
+        let (o, d): ([f64; 3], [f64; 3]) = (ray.value("o")?, ray.value("d")?);
+        Some(std::array::from_fn(|i| o[i] + distance * d[i]))
+    }
+}
+
+impl Pixel for Moved<'_> {
+    fn color(&self, value: f64) -> Option<Channels> {
+        let moved = self.scene.with(self.settings, self.number, value)?;
+        let color = moved.color(self.settings, self.pixel).ok()?;
+        color.is_finite().then(|| color.channels())
+    }
+
+    fn state(&self, value: f64) -> Option<State> {
+        if !self.moves_things {
+            let (color, margins) = (self.color(value)?, Vec::new());
+            return Some(State { color, margins });
+        }
+        let moved = self.scene.with(self.settings, self.number, value)?;
+        let trace = moved.trace(self.settings, self.pixel).ok()?;
+        trace.color.is_finite().then(|| State {
+            color: trace.color.channels(),
+            margins: margins(&trace.steps),
         })
     }
+}
+
+fn minus(a: Channels, b: Channels) -> Channels {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+fn magnitude(a: Channels) -> f64 {
+    a.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+fn difference(a: Channels, b: Channels) -> f64 {
+    magnitude(minus(a, b))
 }

@@ -12,6 +12,19 @@ const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
 const MIRRORS: &str = "a06-shadows-reflection.md#how-deep";
 
 impl View {
+    /// The linear colour of a pixel by the lesson: the mean of its samples.
+    #[must_use]
+    pub fn color(&self, settings: &Settings, [column, row]: [u32; 2]) -> Color {
+        let (size, sampler) = (settings.size, Sampler::new(settings));
+        let mut sum = Color::BLACK;
+        for place in sampler.places(column, row) {
+            let (x, y) = camera_coordinates(size, column, row, place);
+            let ray = self.camera.ray_for(size, x, y);
+            sum += self.world.radiance(&ray, settings.depth);
+        }
+        sum.map(|sum| sum / f64::from(sampler.samples()))
+    }
+
     /// The steps from a pixel, whose column and row lie in the picture, to its colour, by the
     /// renderer of the settings. The engine takes only the steps of the loop over the samples.
     #[must_use]

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use common::{Error, Sampling, Scene, Settings, Size, Transfer, file, text};
 use scene_file::{FirstMistake, Item, Mesh, Meshes, OwnTable, SceneFile};
 
-use crate::kinds::sensitivity::NumberedFile;
+use crate::kinds::NumberedFile;
 use crate::{TracedScene, View};
 
 /// Most bytes of a scene file and of a mesh.
@@ -65,7 +65,11 @@ impl Format {
         // make, if it has the usual transfer.
         let (defaults, view) = self.scene(&file).map_err(at_text)?;
         let first = Mutex::new(Some(view));
-        let file = Arc::new(NumberedFile::new(self, file, text));
+        let file = Arc::new(NumberedFile {
+            format: self,
+            text,
+            file,
+        });
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let opened = Arc::clone(&file);
         let view = move |settings: &Settings| {
@@ -76,9 +80,7 @@ impl Format {
                 return Ok(view);
             }
             drop(first);
-            opened
-                .view(settings)
-                .map_err(|error| at_place(&place, opened.text(), &error))
+            opened.view(settings)
         };
         let mut scene = Scene::from(TracedScene {
             name: stem.into_owned().leak(),

@@ -20,6 +20,7 @@ const ANY_SHAPE: &str = "a04-intersections.md#one-question-and-an-interval";
 struct RecordedGeometry {
     geometry: Box<dyn Geometry>,
     row: Option<&'static ShapeRow>,
+    shapes: Shapes,
     /// The number of tests for a ray.
     tests: u64,
     number: usize,
@@ -45,6 +46,7 @@ pub fn geometry(
         tests: kind.map_or(1, ShapeKind::tests),
         geometry,
         row,
+        shapes,
         number,
         name,
     })
@@ -74,14 +76,21 @@ impl RecordedGeometry {
 
     /// The step of a test. A ray without a hit gets the `t` that the geometry gives for the whole
     /// ray, or else for the whole line.
-    fn step(&self, kind: StepKind, ray: &Ray, within: Interval) -> Step {
+    fn step(&self, step_kind: StepKind, ray: &Ray, within: Interval) -> Step {
         let section = self.row.map_or(ANY_SHAPE, |row| row.section);
         let line = Interval {
             min: f64::NEG_INFINITY,
             ..Interval::AHEAD
         };
-        let mut step = Step::new(kind, &*self.name, section).numbered(self.number);
+        let mut step = Step::new(step_kind, &*self.name, section).numbered(self.number);
         step.outcome = Outcome::Missed;
+        let kind = self.row.and_then(|row| row.get(&*self.geometry));
+        // The children that are reported one by one have their own.
+        if kind.is_some_and(|kind| kind.children().is_empty()) {
+            let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
+            self.shapes
+                .add_margins(&*self.geometry, o, d, &mut step.margins);
+        }
         for (interval, outcome) in [
             (within, Outcome::Hit),
             (Interval::AHEAD, Outcome::BeyondInterval),

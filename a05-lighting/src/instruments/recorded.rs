@@ -12,7 +12,7 @@ use a04_intersections::{Geometry, Hit};
 use common::steps::{self, Outcome, Step, StepKind, type_name};
 use common::{Color, Omission, Omissions};
 
-use crate::kinds::Materials;
+use crate::kinds::{LIGHTS, Materials};
 use crate::power::power;
 use crate::{Illumination, Lambert, Light, Lighting, LitWorld, Material, Phong};
 
@@ -68,16 +68,24 @@ pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
 impl Light for RecordedLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.light.illumination(point);
-        push_light(self.number, &self.type_name, light);
+        let margin = LIGHTS.margin(&*self.light, point);
+        push_light(self.number, &self.type_name, light, margin);
         light
     }
 }
 
-/// Reports the light that arrives from a source, counted from 1, of this type.
-pub fn push_light(number: usize, type_name: &str, light: Option<Illumination>) {
+/// Reports the light that arrives from a source, counted from 1, of this type, and the margin by which
+/// it shines at the hit.
+pub fn push_light(
+    number: usize,
+    type_name: &str,
+    light: Option<Illumination>,
+    margin: Option<f64>,
+) {
     steps::heading(StepKind::Light, |kind| {
         let name = format!("light {number}: {type_name}");
-        let step = Step::new(kind, name, "a05-lighting.md#three-lights").numbered(number);
+        let mut step = Step::new(kind, name, "a05-lighting.md#three-lights").numbered(number);
+        step.margins.extend(margin);
         match light {
             Some(light) => step
                 .with("cl", light.color.channels())

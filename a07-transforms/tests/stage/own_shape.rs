@@ -12,6 +12,7 @@ use a06_shadows_reflection::kinds::read_view;
 use a06_shadows_reflection::traced_with;
 use a07_transforms::kinds::SHAPES as TRANSFORMED;
 use common::Settings;
+use common::sensitivity::Unit;
 use scene_file::{Error, Item, Key};
 
 use crate::scene_files::wrong_scenes;
@@ -48,6 +49,7 @@ const SECTION: &str = "a04-intersections.md#one-question-and-an-interval";
 const OWN: &[ShapeRow] = &[ShapeRow::of::<Tile>("tile", SECTION).with_keys(&[Key {
     name: "corners",
     form: "2 x 2 numbers",
+    unit: Some(Unit::Length),
     range: "",
     missing: "needed",
     stage: 4,

@@ -1,7 +1,7 @@
 //! How a pixel changes with the numbers of a scene file: against closed forms, and at edges.
 
-use common::sensitivity::{DependentPixels, Influence, Response};
-use common::{Error, Settings, Transfer};
+use common::sensitivity::{self, Influence, Response, sort_by_strength};
+use common::{Scene, Settings, Transfer};
 
 use super::scene_files::open;
 
@@ -21,14 +21,15 @@ fn influences(text: &str) -> Vec<Influence> {
 
 fn of_pixel(text: &str, pixel: [u32; 2]) -> Vec<Influence> {
     let scene = open(text).unwrap();
-    let rays = scene.rays().unwrap();
-    rays.influences(&scene.defaults, pixel, &()).unwrap()
+    with_settings(&scene, &scene.defaults, pixel)
 }
 
-fn pixels_of(text: &str, line: usize) -> Result<DependentPixels, Error> {
-    let scene = open(text).unwrap();
+fn with_settings(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Vec<Influence> {
     let rays = scene.rays().unwrap();
-    rays.pixels_of(&scene.defaults, line, &())
+    let numbers = rays.numbers(settings).unwrap();
+    let mut found = sensitivity::influences(rays, settings, pixel, &numbers, &()).unwrap();
+    sort_by_strength(&mut found);
+    found
 }
 
 /// The response to the number of a table and a key.
@@ -234,9 +235,8 @@ fn colors_in_bytes_are_those_of_the_chosen_transfer() {
         transfer: Transfer::Srgb,
         ..scene.defaults.clone()
     };
-    let rays = scene.rays().unwrap();
     let before = scene.render(&settings, &()).unwrap();
-    let found = rays.influences(&settings, [0, 0], &()).unwrap();
+    let found = with_settings(&scene, &settings, [0, 0]);
     let diffuse = found.iter().find(|it| it.number.key == "diffuse red");
     let value = diffuse.unwrap().number.value;
     assert!((value - Transfer::Srgb.decode(128.0 / 255.0)).abs() < 1e-15);
@@ -247,40 +247,100 @@ fn colors_in_bytes_are_those_of_the_chosen_transfer() {
     assert_eq!(scene.render(&settings, &()).unwrap(), before);
 }
 
+/// The distance of the edge at a number.
+#[track_caller]
+fn edge(influences: &[Influence], table: &str, key: &str) -> f64 {
+    match response(influences, table, key) {
+        Response::Edge(edge) => edge.distance,
+        other => panic!("{table} {key}: {other:?}"),
+    }
+}
+
 #[test]
-fn a_line_has_the_pixels_that_its_numbers_change() {
-    let text = "[picture]\nsize = [64, 48]\n\
-        [camera]\neye = [0, 0, 5]\ngaze = [0, 0, -1]\nangle = 40\n\n\
-        [[sphere]]\ncenter = [-1, 0, 0]\nradius = 0.5\ncolor = [1, 0, 0]\n\
-        [[sphere]]\ncenter = [1, 0, 0]\nradius = 0.5\ncolor = [0, 0, 1]\n";
-    let (width, left) = (64, |i: usize| i % 64 < 32);
-    let red = pixels_of(text, 11).unwrap();
-    assert_eq!(red.strengths.len(), width * 48);
-    // The disc of the left sphere: tan of its angle is 0.5/√(26 - 0.25), and 24 pixels make tan 20°.
-    let scene = open(text).unwrap();
-    let picture = scene.render(&scene.defaults, &()).unwrap();
-    for (i, (strength, color)) in red.strengths.iter().zip(picture.pixels()).enumerate() {
-        assert_eq!(*strength > 0.0, left(i) && color.r > 0.0, "{i}");
-    }
-    // A sphere of one colour depends on its place at its edge only.
-    let edge = pixels_of(text, 12 + 1).unwrap();
-    let is_right = edge.strengths.iter().enumerate();
-    assert!(is_right.clone().all(|(i, it)| *it == 0.0 || !left(i)));
-    assert!((5..60).contains(&edge.count()), "{}", edge.count());
-    assert_eq!(edge.numbers.len(), 3);
-    for (line, message) in [
-        (0, "the file has the lines 1 to 15, and no line 0"),
-        (16, "the file has the lines 1 to 15, and no line 16"),
-        (
-            7,
-            "line 7 has no numbers of the scene; the nearest line that has some is 6",
-        ),
-        (
-            2,
-            "line 2 has whole numbers only, by which no pixel has a derivative",
-        ),
+fn the_rim_of_a_spot_is_found_beside_the_ray() {
+    // The rim is at 1/100 of a pixel, where the light has fallen to 2/√5 by the cosine.
+    let text = format!(
+        "{DOWN}[material.m]\ndiffuse = [1, 1, 1]\n\
+         [[plane]]\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\nmaterial = \"m\"\n\
+         [[spot_light]]\ncolor = [1, 0.5, 0.25]\nposition = [1, 2, 0]\n\
+         direction = [-0.4, -1, 0]\nhalf_angle = 4.743641690726176\n"
+    );
+    let found = influences(&text);
+    // The angle of the axis is atan 0.4, and that of the rim larger by the half angle.
+    let rim = 1.0 - 2.0 * (0.4_f64.atan() + 4.743_641_690_726_176_f64.to_radians()).tan();
+    assert!((rim - 8.72e-4).abs() < 1e-6, "{rim}");
+    for (table, key, expected) in [
+        ("[camera]", "eye x", rim),
+        ("[[spot_light]] #1", "position x", -rim),
     ] {
-        let error = pixels_of(text, line).unwrap_err();
-        assert_eq!(error.to_string(), message);
+        let distance = edge(&found, table, key);
+        assert!((distance - expected).abs() < 1e-10, "{distance} {expected}");
     }
+}
+
+#[test]
+fn the_nearest_edge_is_told_and_the_thinnest_box_is_found() {
+    let boxes = |[a, b, c]: [f64; 3]| {
+        format!(
+            "{DOWN}[world]\nbackground = [0, 0, 1]\n\
+             [[box]]\nlbf = [{a:?}, 0, -1]\nrun = [{b:?}, 0.01, 1]\ncolor = [0, 0.2, 1]\n\
+             [[box]]\nlbf = [{b:?}, 0, -1]\nrun = [{c:?}, 0.01, 1]\ncolor = [1, 1, 0]\n"
+        )
+    };
+    // A small jump before a large one.
+    let found = influences(&boxes([0.018, 0.036, 0.5]));
+    assert!((edge(&found, "[camera]", "eye x") - 0.018).abs() < 1e-9);
+    // Half a pixel is 0.0436 wide: two boxes of a thousandth of it, and nothing behind.
+    let mut seed = 1_u64;
+    for _ in 0..40 {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let near = 0.04 * ((seed >> 11) as f64 / (1_u64 << 53) as f64) + 1e-4;
+        let sides = [near, near + 2e-5, near + 4e-5];
+        let found = influences(&boxes(sides));
+        assert!(
+            (edge(&found, "[camera]", "eye x") - near).abs() < 1e-9,
+            "{near}"
+        );
+        assert!(
+            (edge(&found, "[[box]] #1", "lbf x") + near).abs() < 1e-9,
+            "{near}"
+        );
+    }
+}
+
+#[test]
+fn a_turning_point_is_told_with_the_change_by_half_a_pixel() {
+    let text = format!(
+        "{DOWN}[material.m]\ndiffuse = [0.1, 0.1, 0.1]\nspecular = [1, 0.5, 0.25]\n\
+         exponent = 20000\n\
+         [[plane]]\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\nmaterial = \"m\"\n\
+         [[point_light]]\ncolor = [1, 1, 1]\nposition = [0, 2, 0]\n"
+    );
+    let found = influences(&text);
+    let lamp = response(&found, "[[point_light]] #1", "position x");
+    let Response::Turning {
+        half_pixel, slope, ..
+    } = lamp
+    else {
+        panic!("{lamp:?}");
+    };
+    // cos^20000 of atan(0.0436/2) is e^-4.76, so that 0.991 of the highlight is gone.
+    assert!((half_pixel[0] + 0.991).abs() < 2e-3, "{lamp:?}");
+    assert!(slope[0].abs() < 1e-6, "{lamp:?}");
+}
+
+#[test]
+fn a_slope_between_two_bends_that_are_near_is_right() {
+    // The light begins to arrive at 1e-5 below the lamp.
+    let text = format!("{DOWN}{LIT}shadows = false\n").replace("[1, 2, -3]", "[3, 1e-5, 4]");
+    let found = influences(&text);
+    let lamp = "[[point_light]] #1";
+    let by_height = [0.5 * 0.8 / 5.0, 0.25 * 0.9 / 5.0, 0.75 / 5.0];
+    assert_near(slope(&found, lamp, "position y"), by_height);
+    // A lamp that nearly touches the floor: y/|l|³ and -xy/|l|³ with a length of 1e-5.
+    let text = format!("{DOWN}{LIT}shadows = false\n").replace("[1, 2, -3]", "[2e-5, 1e-5, 0]");
+    let found = influences(&text);
+    let cube = 5.0 * 5.0_f64.sqrt() * 1e-5;
+    let by_x = [0.5 * 0.8, 0.25 * 0.9, 0.75].map(|factor| -2.0 * factor / cube);
+    assert_near(slope(&found, lamp, "position x"), by_x);
 }

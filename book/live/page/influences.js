@@ -137,6 +137,9 @@ live.Influences = class {
             const at = Math.abs(distance) > 0 ? `${live.show(Number(distance.toPrecision(2)))} away` : 'here';
             return `an edge ${at}, where the pixel jumps by ${channels}`;
         }
+        if (kind > 3) {
+            return `${kind === 4 ? 'a turning point' : 'an unknown slope'}: half a pixel changes it by ${channels}`;
+        }
         const per = unit === 'degree' ? 'per degree' : 'per 1';
         return kind === 0 ? 'no change' : `${channels} ${per}${kind === 3 ? ', on one side' : ''}`;
     }

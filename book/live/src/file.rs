@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use a03_rays_cameras::kinds::sensitivity::NumberedFile;
+use a03_rays_cameras::kinds::NumberedFile;
 use a03_rays_cameras::{TracedScene, View};
 use a07_transforms::kinds::FORMAT;
 use a07_transforms::kinds::example_files::PYRAMID;
@@ -35,7 +35,11 @@ pub fn open(text: &str) -> Result<(Settings, View, NumberedFile), Error> {
             let most = format!("this page takes a depth of at most {MOST_SURFACES}");
             return Err(file.picture.error("depth", most));
         }
-        let file = NumberedFile::new(FORMAT, file, text.to_owned());
+        let file = NumberedFile {
+            format: FORMAT,
+            text: text.to_owned(),
+            file,
+        };
         Ok((settings, view, file))
     };
     read().map_err(|error: scene_file::Error| Error::SceneFile(error.within(text)))

@@ -54,6 +54,11 @@ fn traced(picture: &str, numbers: &[f64]) -> Result<PixelTrace, Error> {
         return Err(Error::Usage(format!("the pixel is not in {size} pixels")));
     }
     let painted = || Error::Usage("a painted picture has no rays".to_owned());
+    // The engine, which draws the files, takes no steps.
+    let settings = Settings {
+        renderer: Renderer::Lesson,
+        ..settings
+    };
     Ok(view.ok_or_else(painted)?.trace(&settings, pixel))
 }
 

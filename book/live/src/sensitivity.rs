@@ -3,11 +3,9 @@
 
 use std::cell::RefCell;
 
-use a03_rays_cameras::kinds::sensitivity::NumberedFile;
-use common::sensitivity::{Influence, Response, Unit};
-use common::{Error, Image, Settings};
+use common::sensitivity::{self, Channels, Influence, NumberPlace, Response, Unit};
+use common::{Color, Error, Image, Scene, Settings};
 use page::settings;
-use scene_file::SceneNumber;
 
 use crate::catalogue::FILE;
 use crate::{Answer, Answered, file};
@@ -15,9 +13,8 @@ use crate::{Answer, Answered, file};
 /// A file whose text a page has sent, so that it is read once for many requests about it.
 struct Opened {
     text: String,
-    file: NumberedFile,
-    defaults: Settings,
-    numbers: Vec<SceneNumber>,
+    scene: Scene,
+    numbers: Vec<NumberPlace>,
     /// The last pictures that were asked for, and their settings.
     pictures: Vec<(Settings, Image)>,
 }
@@ -32,12 +29,30 @@ impl Opened {
         let place = if let Some(place) = known.position(|(known, _)| known == settings) {
             place
         } else {
-            let picture = self.file.picture(settings, &())?;
+            let picture = self.scene.render(settings, &())?;
             self.pictures.truncate(MOST_PICTURES - 1);
             self.pictures.insert(0, (settings.clone(), picture));
             0
         };
         Ok(&self.pictures[place].1)
+    }
+
+    /// The picture after a number has moved by a step that moves things by about a pixel, and the
+    /// step; none if no such step is allowed.
+    fn moved(
+        &self,
+        settings: &Settings,
+        number: &NumberPlace,
+    ) -> Result<Option<(f64, Image)>, Error> {
+        let rays = self.scene.rays()?;
+        let reach = rays.footprint(settings, None)?.reach(number, 1.0);
+        for step in [reach, -reach, reach / 64.0, -reach / 64.0] {
+            let moved = rays.with(settings, number, number.value + step);
+            if let Some(Ok(image)) = moved.map(|moved| moved.render(settings, &())) {
+                return Ok(Some((step, image)));
+            }
+        }
+        Ok(None)
     }
 }
 
@@ -53,12 +68,11 @@ fn with_file(picture: &str, answer: impl FnOnce(&mut Opened) -> Answered) -> Ans
         let opened = match last.take() {
             Some(opened) if opened.text == text => opened,
             _ => {
-                let (defaults, _, file) = file::open(text)?;
+                let scene = file::scene(text)?;
                 Opened {
                     text: text.to_owned(),
-                    numbers: file.numbers(&defaults),
-                    file,
-                    defaults,
+                    numbers: scene.rays()?.numbers(&scene.defaults)?,
+                    scene,
                     pictures: Vec::new(),
                 }
             }
@@ -71,28 +85,24 @@ fn with_file(picture: &str, answer: impl FnOnce(&mut Opened) -> Answered) -> Ans
 /// units of UTF-16 that the strings of a page have.
 pub fn numbers(picture: &str) -> Answered {
     with_file(picture, |Opened { text, numbers, .. }| {
-        let names = numbers.iter().map(|SceneNumber { place, .. }| {
-            let (table, key) = (&place.table, &place.key);
-            format!("{table}\t{key}")
-        });
+        let names = numbers
+            .iter()
+            .map(|NumberPlace { table, key, .. }| format!("{table}\t{key}"));
         let names: Vec<_> = names.collect();
         let units_before = |at: usize| {
             let before = text.get(..at).unwrap_or(text);
             before.encode_utf16().count() as f64
         };
         let list =
-            |value: &dyn Fn(&SceneNumber) -> f64| numbers.iter().map(value).collect::<Vec<_>>();
+            |value: &dyn Fn(&NumberPlace) -> f64| numbers.iter().map(value).collect::<Vec<_>>();
         Ok(Answer::text(names.join("\n"))
-            .with("lines", list(&|number| number.place.line as f64))
-            .with(
-                "starts",
-                list(&|number| units_before(number.place.bytes.start)),
-            )
-            .with("ends", list(&|number| units_before(number.place.bytes.end)))
-            .with("values", list(&|number| number.place.value))
-            .with("units", list(&|number| unit(number.place.unit)))
-            .with("least", list(&|number| number.range.least))
-            .with("greatest", list(&|number| number.range.greatest)))
+            .with("lines", list(&|number| number.line as f64))
+            .with("starts", list(&|number| units_before(number.bytes.start)))
+            .with("ends", list(&|number| units_before(number.bytes.end)))
+            .with("values", list(&|number| number.value))
+            .with("units", list(&|number| unit(number.unit)))
+            .with("least", list(&|number| number.allowed[0]))
+            .with("greatest", list(&|number| number.allowed[1])))
     })
 }
 
@@ -102,7 +112,7 @@ fn unit(unit: Unit) -> f64 {
         Unit::Length => 0.0,
         Unit::Degree => 1.0,
         Unit::Direction(_) => 2.0,
-        Unit::Factor => 3.0,
+        Unit::Factor | Unit::Scale => 3.0,
         Unit::Channel => 4.0,
         Unit::Whole => 5.0,
     }
@@ -112,7 +122,7 @@ fn unit(unit: Unit) -> f64 {
 /// index of the first number, and how many.
 pub fn influences(picture: &str, given: &[f64]) -> Answered {
     with_file(picture, |opened| {
-        let settings = settings(&opened.defaults, given)?;
+        let settings = settings(&opened.scene.defaults, given)?;
         let &[column, row, first, count] = given.get(10..14).unwrap_or_default() else {
             return Err(Error::Usage(
                 "a pixel and its numbers are needed".to_owned(),
@@ -121,7 +131,8 @@ pub fn influences(picture: &str, given: &[f64]) -> Answered {
         let rest = opened.numbers.get(first as usize..).unwrap_or_default();
         let some = &rest[..rest.len().min(count as usize)];
         let pixel = [column as u32, row as u32];
-        let influences = opened.file.influences_of(&settings, pixel, some, &())?;
+        let rays = opened.scene.rays()?;
+        let influences = sensitivity::influences(rays, &settings, pixel, some, &())?;
         let answers = influences.iter().map(influence);
         let (kinds, changes): (Vec<_>, Vec<_>) = answers.unzip();
         Ok(Answer::default()
@@ -131,16 +142,19 @@ pub fn influences(picture: &str, given: &[f64]) -> Answered {
     })
 }
 
-/// The kind of a response: 0 none, 1 a slope, 2 an edge, 3 a kink. Then its channels: the slope, the
-/// jump, or the steeper slope of a kink.
-fn influence(influence: &Influence) -> (f64, [f64; 3]) {
-    let largest = |channels: [f64; 3]| channels.into_iter().map(f64::abs).fold(0.0, f64::max);
+/// The kind of a response: 0 none, 1 a slope, 2 an edge, 3 a kink, 4 a turning point, 5 an unknown
+/// slope. Then its channels: the slope, the jump, the steeper slope of a kink, or the change by half a
+/// pixel.
+fn influence(influence: &Influence) -> (f64, Channels) {
+    let largest = |channels: Channels| channels.into_iter().map(f64::abs).fold(0.0, f64::max);
     match &influence.response {
         Response::None | Response::Whole | Response::Fixed(_) => (0.0, [0.0; 3]),
         Response::Smooth { slope, .. } => (1.0, *slope),
         Response::Edge(edge) => (2.0, edge.jump),
         Response::Kink { below, above } if largest(*below) > largest(*above) => (3.0, *below),
         Response::Kink { above, .. } => (3.0, *above),
+        Response::Turning { half_pixel, .. } => (4.0, *half_pixel),
+        Response::Unknown(half_pixel) => (5.0, *half_pixel),
     }
 }
 
@@ -158,7 +172,7 @@ fn distance(influence: &Influence) -> f64 {
 /// change of 1 or more, 1 for a ten-thousandth or less.
 pub fn changes(picture: &str, given: &[f64]) -> Answered {
     with_file(picture, |opened| {
-        let settings = settings(&opened.defaults, given)?;
+        let settings = settings(&opened.scene.defaults, given)?;
         let Some(index) = given.get(10) else {
             opened.picture(&settings)?;
             return Ok(Answer::default());
@@ -166,17 +180,31 @@ pub fn changes(picture: &str, given: &[f64]) -> Answered {
         let Some(number) = opened.numbers.get(*index as usize) else {
             return Err(Error::Usage("the file has no such number".to_owned()));
         };
-        let moved = opened.file.picture_moved(&settings, number, &())?;
+        let moved = opened.moved(&settings, number)?;
         let before = opened.picture(&settings)?;
-        let changes = moved.iter().flat_map(|moved| moved.changes(before));
-        let pixels = changes.flat_map(|change| [0, 0, 0, opacity(change)]);
+        let moved_pixels = moved.iter().flat_map(|(_, image)| image.pixels());
+        let pairs = before.pixels().iter().zip(moved_pixels);
+        let pixels = pairs.flat_map(|(before, after)| [0, 0, 0, opacity(change(*before, *after))]);
         let size = before.size();
         Ok(Answer {
             pixels: pixels.collect(),
             ..Answer::default()
         }
         .with("size", [size.width().into(), size.height().into()])
-        .with("step", moved.iter().map(|moved| moved.step)))
+        .with("step", moved.iter().map(|(step, _)| *step)))
+    })
+}
+
+/// The largest change of a channel. One to or from no number counts as a change of 1.
+fn change(before: Color, after: Color) -> f64 {
+    let channels = before.channels().into_iter().zip(after.channels());
+    channels.fold(0.0, |largest, (before, after)| {
+        let change = (after - before).abs();
+        match (before.to_bits() == after.to_bits(), change.is_finite()) {
+            (true, _) => largest,
+            (false, true) => largest.max(change),
+            (false, false) => largest.max(1.0),
+        }
     })
 }
 

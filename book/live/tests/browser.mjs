@@ -183,6 +183,13 @@ async function tryEditor() {
     await chromium.go(link);
     await chromium.until(`/64 × 48/.test(live.editor?.picture.status?.value)`);
     expect(/depth = 2/.test(await chromium.value('live.editor.text.value')), 'a link does not carry its scene');
+    await chromium.until(`live.editor.drawn === live.editor.text.value && live.editor.picture.controls`);
+    // What the pixel shows that the mouse is over, and every step of it.
+    const met = await chromium.value(`live.editor.picture.probe(19, 23).then(() => live.editor.picture.probed.value)`);
+    expect(/; object \d+: Sphere, at t = /.test(met), `the sphere's pixel is explained as ${met}`);
+    const kinds = await chromium.value(`live.editor.picture.trace({ samples: 1, sampling: 0 }, [19, 23])
+        .then(({ steps }) => steps.map(({ kind }) => kind))`);
+    expect(['ray', 'test', 'hit', 'light'].every((kind) => kinds.includes(kind)), `the steps of a pixel are ${kinds}`);
     await tryNumbers();
 }
 

@@ -1,7 +1,9 @@
 //! `explain --by-numbers`: how a pixel changes with each number of its scene file.
 
 use common::pixel_trace::digits;
-use common::sensitivity::{Edge, Influence, NumberPlace, Response, Unit};
+use common::sensitivity::{
+    Edge, Influence, NumberPlace, Response, Unit, influences, sort_by_strength,
+};
 use common::{Error, Scene, Settings, text};
 
 use crate::options::Options;
@@ -20,7 +22,10 @@ pub fn list_numbers(
     let rays = scene.rays()?;
     let progress = TerminalProgress::new(scene.name, settings.size);
     let threads = options.thread_pool()?;
-    let influences = threads.install(|| rays.influences(settings, pixel, &progress))?;
+    let numbers = rays.numbers(settings)?;
+    let mut influences =
+        threads.install(|| influences(rays, settings, pixel, &numbers, &progress))?;
+    sort_by_strength(&mut influences);
     drop(progress);
     warn_unused(scene, options, settings);
     if as_json {
@@ -99,7 +104,7 @@ const fn unit(number: &NumberPlace) -> &'static str {
     match number.unit {
         Unit::Length => "unit of length",
         Unit::Degree => "degree",
-        Unit::Direction(_) | Unit::Factor | Unit::Channel | Unit::Whole => "",
+        Unit::Direction(_) | Unit::Factor | Unit::Scale | Unit::Channel | Unit::Whole => "",
     }
 }
 
@@ -123,6 +128,18 @@ fn in_words(response: &Response) -> String {
         Response::Kink { below, above } => {
             let [below, above] = [below, above].map(|slope| digits(slope));
             format!("an edge: the slope jumps here from {below} to {above}")
+        }
+        Response::Turning { half_pixel, .. } => {
+            format!(
+                "a turning point: half a pixel changes it by {}",
+                digits(half_pixel)
+            )
+        }
+        Response::Unknown(half_pixel) => {
+            format!(
+                "unknown slope: half a pixel changes it by {}",
+                digits(half_pixel)
+            )
         }
         Response::Whole => "a whole number, without a derivative".to_owned(),
         Response::Fixed(reason) => format!("cannot be moved: {reason}"),
@@ -178,6 +195,14 @@ fn json_row(Influence { number, response }: &Influence) -> String {
         }
         Response::Kink { below, above } => format!(r#""below": {below:?}, "above": {above:?}"#),
         Response::None => r#""slope": [0.0, 0.0, 0.0], "error": 0.0"#.to_owned(),
+        Response::Turning {
+            slope,
+            error,
+            half_pixel,
+        } => format!(r#""slope": {slope:?}, "error": {error:?}, "half_pixel": {half_pixel:?}"#),
+        Response::Unknown(half_pixel) => {
+            format!(r#""unknown": true, "half_pixel": {half_pixel:?}"#)
+        }
         Response::Whole => r#""whole": true"#.to_owned(),
         Response::Fixed(_) => r#""fixed": true"#.to_owned(),
     };
@@ -199,10 +224,12 @@ mod tests {
                 columns: 3..4,
                 bytes: 50..51,
                 at: 50,
+                index: 0,
                 table: "[[sphere]] #2".to_owned(),
                 key: key.to_owned(),
                 value: 0.1,
                 unit,
+                allowed: [f64::NEG_INFINITY, f64::INFINITY],
             },
             response,
         }

@@ -2,12 +2,11 @@
 
 use std::path::PathBuf;
 
-use common::{Color, Error, Renderer, Scene, Settings, Stage, atomic_file, text};
+use common::{Color, Error, Renderer, Scene, Settings, atomic_file, text};
 
 use crate::by_numbers::list_numbers;
 use crate::explained_pixel::trace_in_words;
-use crate::of_line::draw_pixels_of;
-use crate::options::{Options, whole};
+use crate::options::Options;
 use crate::print::{print, warn};
 use crate::render::{render, warn_unused};
 
@@ -19,21 +18,11 @@ const MOST_SAMPLES: u32 = 4096;
 pub struct ExplainArgs {
     /// Column and row of the pixel, counted from 0 in the upper left corner
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = pixel)]
-    #[arg(required_unless_present = "of")]
-    pixel: Option<[u32; 2]>,
+    pixel: [u32; 2],
 
     /// Of a scene file: list how the pixel changes with each number of the file, the strongest first
     #[arg(long, conflicts_with_all = ["drawing", "beside"])]
     by_numbers: bool,
-
-    /// Of a scene file: write a heat map of the pixels that depend on the numbers of this line
-    #[arg(long, value_name = "LINE", allow_negative_numbers = true, value_parser = whole(1..=u32::MAX))]
-    #[arg(conflicts_with_all = ["pixel", "by_numbers", "json", "drawing", "beside"])]
-    of: Option<u32>,
-
-    /// With --of: a PNG file, or a folder, made if it is missing [default: out/]
-    #[arg(short, long, value_name = "FILE|DIR", conflicts_with = "pixel")]
-    output: Option<PathBuf>,
 
     /// Print JSON, for programs
     #[arg(long, conflicts_with = "beside")]
@@ -59,23 +48,15 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-/// Explains a pixel of the scene, or what depends on a line of its file.
-pub fn explain(stage: &Stage, scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
+/// Explains a pixel of the scene.
+pub fn explain(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
     let (options, settings) = (&arguments.options, arguments.options.settings(scene)?);
-    match (arguments.of, arguments.pixel) {
-        (Some(line), _) => {
-            let output = arguments.output.clone();
-            draw_pixels_of(stage, scene, line, output, &settings, options)
-        }
-        (None, Some(pixel)) => {
-            check(&settings, pixel, arguments)?;
-            if arguments.by_numbers {
-                return list_numbers(scene, pixel, &settings, options, arguments.json);
-            }
-            explain_pixel(scene, pixel, settings, arguments)
-        }
-        (None, None) => Err(Error::Usage("--pixel X,Y says which pixel".to_owned())),
+    let pixel = arguments.pixel;
+    check(&settings, pixel, arguments)?;
+    if arguments.by_numbers {
+        return list_numbers(scene, pixel, &settings, options, arguments.json);
     }
+    explain_pixel(scene, pixel, settings, arguments)
 }
 
 /// Lists every number behind a pixel, and compares its colour with the rendered picture.

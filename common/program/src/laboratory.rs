@@ -57,7 +57,7 @@ pub struct Arguments {
 /// Runs a command and returns the exit code.
 pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
     let done = match command {
-        Command::Explain { scene, arguments } => explain(stage, &stage.scene(&scene)?, &arguments),
+        Command::Explain { scene, arguments } => explain(&stage.scene(&scene)?, &arguments),
         Command::Export {
             scene,
             to,

@@ -15,7 +15,6 @@ mod laboratory;
 mod left_out;
 mod live_picture;
 mod named;
-mod of_line;
 mod opened_file;
 mod options;
 mod print;

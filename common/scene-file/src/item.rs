@@ -1,12 +1,14 @@
 //! `Item`: a table of a scene file with its values.
 
+use std::sync::Arc;
+
 use common::{ArgumentError, Color, Transfer, text};
 
 use crate::error::nearest;
 use crate::{Error, Key, Kind, Mesh};
 
 /// A value in the form that its key has.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Data {
     /// Finite numbers, row after row.
     Numbers(Vec<f64>),
@@ -17,11 +19,11 @@ pub enum Data {
     /// True or false.
     Flag(bool),
     /// The triangles of a file.
-    Mesh(Box<Mesh>),
+    Mesh(Arc<Mesh>),
 }
 
 /// A table of a scene file.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Item {
     /// Its kind.
     pub kind: &'static Kind,

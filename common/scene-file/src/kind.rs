@@ -3,6 +3,8 @@
 
 use std::sync::{LazyLock, Mutex, PoisonError};
 
+use common::sensitivity::Unit;
+
 use crate::Range;
 
 /// A kind of tables.
@@ -23,6 +25,8 @@ pub struct Key {
     pub name: &'static str,
     /// The form of its value: `3 numbers`, `color`, `text`, or that of its tables.
     pub form: &'static str,
+    /// The unit of its numbers; none if it has no numbers.
+    pub unit: Option<Unit>,
     /// The range of its numbers, as [`Range::parse`] reads it; empty if it is no interval.
     pub range: &'static str,
     /// What a missing key means: `needed`, `needed, or` another key, `needed with` another key,
@@ -119,6 +123,7 @@ impl OwnTable {
             key: Key {
                 name: self.name,
                 form,
+                unit: None,
                 range: "",
                 missing: "",
                 stage: 0,
@@ -144,6 +149,20 @@ pub(crate) fn has_shapes(kind: &Kind) -> bool {
     kind.form.is_empty() || WITH_SHAPES.contains(&kind.name)
 }
 
+/// The unit of a word of `keys.md`. A direction has its length where its numbers are known.
+fn unit(word: &str) -> Option<Unit> {
+    match word {
+        "length" => Some(Unit::Length),
+        "degree" => Some(Unit::Degree),
+        "direction" => Some(Unit::Direction(1.0)),
+        "factor" => Some(Unit::Factor),
+        "scale" => Some(Unit::Scale),
+        "channel" => Some(Unit::Channel),
+        "whole" => Some(Unit::Whole),
+        _ => None,
+    }
+}
+
 /// The scene file itself, whose keys are the other kinds, and these in the order of the list.
 pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
     let mut kinds = vec![Kind {
@@ -158,6 +177,7 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
         let key = Key {
             name,
             form,
+            unit: unit(cell()),
             range: cell(),
             missing: cell(),
             stage: cell().parse().unwrap_or(0),
@@ -178,6 +198,7 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
                 let key = Key {
                     name,
                     form,
+                    unit: None,
                     range: "",
                     missing: "",
                     about: "",

@@ -32,4 +32,3 @@ pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
 pub use range::Range;
 pub use reader::{Meshes, SceneFile};
-pub use scene_number::SceneNumber;

@@ -2,6 +2,8 @@
 
 mod known_key;
 
+use std::sync::Arc;
+
 use common::{Color, Transfer, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -18,7 +20,7 @@ pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
 
 /// The tables of a scene file, each kind in the order of the file. Those that may be there once
 /// have no values if they are missing.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct SceneFile {
     /// The table `[picture]`.
     pub picture: Item,
@@ -217,7 +219,9 @@ impl Reader<'_> {
         item.values.shrink_to_fit();
         if let Some(is_smooth) = item.flag("smooth") {
             for (.., data) in &mut item.values {
-                if let Data::Mesh(mesh) = data {
+                if let Data::Mesh(mesh) = data
+                    && let Some(mesh) = Arc::get_mut(mesh)
+                {
                     mesh.set_smooth(is_smooth);
                 }
             }
@@ -309,7 +313,7 @@ impl Reader<'_> {
                 let mesh = (self.meshes)(file);
                 let mut mesh = mesh.map_err(|reason| self.cannot_read(file, &reason, value))?;
                 mesh.file = file.to_string();
-                Ok(Data::Mesh(Box::new(mesh)))
+                Ok(Data::Mesh(Arc::new(mesh)))
             }
             ("text", DeValue::String(text)) => Ok(Data::Text(text.to_string())),
             ("true or false", DeValue::Boolean(flag)) => Ok(Data::Flag(*flag)),

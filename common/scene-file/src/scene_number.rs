@@ -1,26 +1,15 @@
-//! `SceneNumber`: a number of a scene file with its place in the text, which can be changed without
-//! reading the text again.
+//! The numbers of a scene file with their places in the text. A file with another number is another
+//! value, for which the text is not read again.
 
 use std::collections::HashMap;
 use std::ops::Range as Bytes;
 
 use common::sensitivity::{NumberPlace, Unit};
-use common::text;
+use common::{Transfer, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::{Data, Item, Key, Kind, Range, SceneFile};
-
-/// A number of a scene file.
-#[derive(Clone, Debug)]
-pub struct SceneNumber {
-    /// Where it stands, and its value.
-    pub place: NumberPlace,
-    /// The numbers that its key allows.
-    pub range: Range,
-    /// Which of the numbers of this value it is.
-    index: usize,
-}
+use crate::{Data, Item, Key, SceneFile};
 
 /// A value of a text in TOML that has numbers, or a text.
 struct Written {
@@ -36,7 +25,7 @@ impl SceneFile {
     /// All numbers of the file, of which this is the text, in the order of the text. Those inside of a
     /// definition or a repeat are there once, and a colour in a text is three numbers.
     #[must_use]
-    pub fn numbers(&self, text: &str) -> Vec<SceneNumber> {
+    pub fn numbers(&self, text: &str) -> Vec<NumberPlace> {
         let Ok(table) = DeTable::parse(text) else {
             return Vec::new();
         };
@@ -54,37 +43,46 @@ impl SceneFile {
         for item in singles.into_iter().chain(lists.into_iter().flatten()) {
             add_numbers(item, text, &lines, &mut written, &mut numbers);
         }
-        numbers.sort_by_key(|number| (number.place.bytes.start, number.index));
+        numbers.sort_by_key(|number| (number.bytes.start, number.index));
         numbers
     }
 
-    /// Gives a number another value, also in all copies of a repeat. Nothing checks whether the value
-    /// is in the range of its key.
-    pub fn set_number(&mut self, number: &SceneNumber, value: f64) {
-        let singles = [&mut self.picture, &mut self.camera, &mut self.world];
+    /// The file with another value of a number, also in all copies of a repeat; none if its key does
+    /// not allow this value. The colours in bytes are those of this transfer.
+    #[must_use]
+    pub fn with(&self, transfer: Transfer, number: &NumberPlace, value: f64) -> Option<Self> {
+        let [least, greatest] = number.allowed;
+        if !(least..=greatest).contains(&value) {
+            return None;
+        }
+        let mut file = self.clone();
+        file.set_transfer(transfer);
+        let singles = [&mut file.picture, &mut file.camera, &mut file.world];
         let lists = [
-            &mut self.materials,
-            &mut self.lights,
-            &mut self.shapes,
-            &mut self.definitions,
+            &mut file.materials,
+            &mut file.lights,
+            &mut file.shapes,
+            &mut file.definitions,
         ];
         for item in singles.into_iter().chain(lists.into_iter().flatten()) {
             set_number(item, number, value);
         }
+        Some(file)
     }
 }
 
-fn set_number(item: &mut Item, number: &SceneNumber, value: f64) {
+fn set_number(item: &mut Item, number: &NumberPlace, value: f64) {
     for (_, at, data) in &mut item.values {
-        if *at != number.place.at {
+        if *at != number.at {
             continue;
         }
-        let numbers = match data {
-            Data::Numbers(numbers) => numbers.as_mut_slice(),
-            Data::Bytes(_, linear) => linear.as_mut_slice(),
-            Data::Text(_) | Data::Flag(_) | Data::Mesh(_) => &mut [],
-        };
-        if let Some(number) = numbers.get_mut(number.index) {
+        if let Data::Bytes(_, linear) = data {
+            // Another transfer does not change a channel that has been given in linear light.
+            *data = Data::Numbers(linear.to_vec());
+        }
+        if let Data::Numbers(numbers) = data
+            && let Some(number) = numbers.get_mut(number.index)
+        {
             *number = value;
         }
     }
@@ -108,7 +106,7 @@ fn add_numbers(
     text: &str,
     lines: &Lines,
     written: &mut HashMap<usize, Written>,
-    numbers: &mut Vec<SceneNumber>,
+    numbers: &mut Vec<NumberPlace>,
 ) {
     for (name, at, data) in &item.values {
         let values = match data {
@@ -119,26 +117,26 @@ fn add_numbers(
         let (Some(key), Some(found)) = (item.kind.key(name), written.remove(at)) else {
             continue;
         };
-        let parts = match data {
-            Data::Bytes(..) => of_color(text, &found.parts),
-            _ => found.parts,
+        // A text has the three numbers of a colour.
+        let parts = if found.parts.len() < values.len() {
+            of_color(text, &found.parts)
+        } else {
+            found.parts
         };
         for (index, (value, bytes)) in values.iter().zip(parts).enumerate() {
             let [(line, start), (_, end)] = [bytes.start, bytes.end].map(|at| lines.place(at));
-            let place = NumberPlace {
+            let range = key.limits();
+            numbers.push(NumberPlace {
                 line,
                 columns: start..end,
                 bytes,
                 at: *at,
+                index,
                 table: found.table.clone(),
                 key: found.key.clone() + part(key, index),
                 value: *value,
-                unit: unit(key, values, item.kind),
-            };
-            numbers.push(SceneNumber {
-                place,
-                range: key.limits(),
-                index,
+                unit: unit(key, values),
+                allowed: [range.least, range.greatest],
             });
         }
     }
@@ -165,22 +163,15 @@ fn part(key: &Key, index: usize) -> &'static str {
     names.get(index).copied().unwrap_or_default()
 }
 
-/// The unit of the numbers of a key.
-fn unit(key: &Key, values: &[f64], kind: &Kind) -> Unit {
-    let is_step = kind.name == "step";
-    if key.form.contains("whole") {
-        Unit::Whole
-    } else if key.form == "color" {
-        Unit::Channel
-    } else if key.name == "exponent" || key.name == "scale" && is_step {
-        Unit::Factor
-    } else if key.about.contains("degrees") || key.name.starts_with("rotate") {
-        Unit::Degree
-    } else if key.about.contains("direction") || key.name == "normals" {
-        let squares = values.iter().take(3).map(|value| value * value);
-        Unit::Direction(squares.sum::<f64>().sqrt())
-    } else {
-        Unit::Length
+/// The unit of the numbers of a key, which have these values.
+fn unit(key: &Key, values: &[f64]) -> Unit {
+    match key.unit {
+        Some(Unit::Direction(_)) => {
+            let squares = values.iter().take(3).map(|value| value * value);
+            Unit::Direction(squares.sum::<f64>().sqrt())
+        }
+        Some(unit) => unit,
+        None => Unit::Factor,
     }
 }
 
@@ -311,7 +302,7 @@ mod tests {
         let file = SceneFile::read(text, 7, &[], &|_| Err("no mesh".to_owned())).unwrap();
         assert_eq!(file.mistake, None);
         let numbers = file.numbers(text);
-        let place = |number: &SceneNumber| {
+        let place = |number: &NumberPlace| {
             let NumberPlace {
                 line,
                 columns,
@@ -320,7 +311,7 @@ mod tests {
                 key,
                 value,
                 ..
-            } = &number.place;
+            } = number;
             let written = &text[bytes.clone()];
             let columns = columns.start..columns.end;
             format!("{line}:{columns:?} {written} is {table} {key} = {value}")

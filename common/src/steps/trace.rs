@@ -45,7 +45,7 @@ pub fn traced<T>(task: impl FnOnce() -> T) -> (T, Vec<Step>) {
     let outer = swap(Trace::EMPTY);
     let result = in_mode(Mode::Tracing, task);
     let trace = swap(outer);
-    (result, in_order(&trace.steps))
+    (result, in_order(trace.steps))
 }
 
 /// Runs `task` without writing down its steps. Where steps are counted, its steps count.
@@ -114,15 +114,19 @@ fn write_down(kind: StepKind, step: impl FnOnce(StepKind) -> Step) {
 
 /// The steps with tests that are beside each other in the order of `t`; last those whose `t` is
 /// not above 0, or that have none. Only the first hit is the nearest.
-fn in_order(steps: &[Step]) -> Vec<Step> {
+fn in_order(steps: Vec<Step>) -> Vec<Step> {
     let level = steps.first().map_or(0, |step| step.level);
-    let blocks = steps.chunk_by(|_, next| next.level > level);
-    let mut blocks: Vec<_> = blocks
-        .map(|block| [&block[..1], &in_order(&block[1..])].concat())
-        .collect();
-    let is_test = |block: &[Step]| block[0].kind == StepKind::Test;
+    // A step with those that belong to it.
+    let mut blocks: Vec<(Step, Vec<Step>)> = Vec::new();
+    for step in steps {
+        match blocks.last_mut() {
+            Some((_, parts)) if step.level > level => parts.push(step),
+            _ => blocks.push((step, Vec::new())),
+        }
+    }
+    let is_test = |block: &(Step, _)| block.0.kind == StepKind::Test;
     for tests in blocks.chunk_by_mut(|a, b| is_test(a) && is_test(b)) {
-        let t = |test: &[Step]| match test[0].value("t") {
+        let t = |(test, _): &(Step, Vec<Step>)| match test.value("t") {
             Some([t]) if t > 0.0 => t,
             Some(_) => f64::INFINITY,
             None => f64::NAN,
@@ -130,10 +134,15 @@ fn in_order(steps: &[Step]) -> Vec<Step> {
         tests.sort_by(|a, b| t(a).total_cmp(&t(b)));
         let hits = tests
             .iter_mut()
-            .filter(|test| test[0].outcome == Outcome::Hit);
-        for farther in hits.skip(1) {
-            farther[0].outcome = Outcome::FartherHit;
+            .filter(|(test, _)| test.outcome == Outcome::Hit);
+        for (farther, _) in hits.skip(1) {
+            farther.outcome = Outcome::FartherHit;
         }
     }
-    blocks.concat()
+    let mut all = Vec::new();
+    for (step, parts) in blocks {
+        all.push(step);
+        all.extend(in_order(parts));
+    }
+    all
 }

@@ -1,0 +1,44 @@
+//! `NumberedFile`: the scene file that a scene was read from, whose numbers have their places.
+
+use common::sensitivity::NumberPlace;
+use common::{Error, Settings};
+use scene_file::SceneFile;
+
+use crate::View;
+use crate::kinds::Format;
+
+/// The scene file that a scene was read from.
+pub struct NumberedFile {
+    /// How its stage reads it.
+    pub format: Format,
+    /// Its text.
+    pub text: String,
+    /// What was read.
+    pub file: SceneFile,
+}
+
+impl NumberedFile {
+    /// All numbers of the file in the order of its text. Colours in bytes are those of pictures with
+    /// the transfer of the settings.
+    #[must_use]
+    pub fn numbers(&self, settings: &Settings) -> Vec<NumberPlace> {
+        self.with_transfer(settings).numbers(&self.text)
+    }
+
+    /// The camera and the world of the file.
+    pub fn view(&self, settings: &Settings) -> Result<View, Error> {
+        self.view_of(&self.with_transfer(settings))
+    }
+
+    /// The camera and the world of what was read, or of the same with other numbers.
+    pub fn view_of(&self, file: &SceneFile) -> Result<View, Error> {
+        let view = (self.format.view)(file);
+        view.map_err(|error| Error::SceneFile(error.within(&self.text)))
+    }
+
+    fn with_transfer(&self, settings: &Settings) -> SceneFile {
+        let mut file = self.file.clone();
+        file.set_transfer(settings.transfer);
+        file
+    }
+}
