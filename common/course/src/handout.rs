@@ -15,7 +15,7 @@ use crate::grading_folder::{Workbook, output_of};
 const README: &str = include_str!("../handout/README.md");
 
 /// The files and folders that are handed out.
-const PARTS: [&str; 11] = [
+const PARTS: [&str; 12] = [
     ".cargo",
     ".gitignore",
     "Cargo.lock",
@@ -25,7 +25,8 @@ const PARTS: [&str; 11] = [
     "common",
     "book/src",
     "a0*",
-    // They need all stages, or other libraries.
+    // They need all stages, or other libraries, or are for lecturers.
+    ":(exclude)common/course",
     ":(exclude)common/fuzz",
     ":(exclude)common/corpus/adapters",
 ];
@@ -105,7 +106,6 @@ fn paths(above: &[Exercise]) -> Result<Vec<String>, String> {
         "--exclude-standard",
     ]);
     git.args(PARTS);
-    git.arg(":(exclude)common/course");
     for e in above {
         git.arg(format!(":(exclude)*{}-*", &e.stage[..3]));
     }
