@@ -4,12 +4,11 @@ use common::Size;
 
 use super::frame::Area;
 
-/// A picture in the middle of its room: enlarged by a whole factor, so that each pixel is a square, or
-/// shrunk.
+/// A picture in the middle of its room, as large as fits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
     /// Pixels of the window for a pixel of the picture.
-    pub scale: f64,
+    scale: f64,
     /// Width and height of the picture.
     sides: [u32; 2],
     /// Its upper left corner.
@@ -22,7 +21,6 @@ impl Placement {
         let room_sides = [room.width, room.height].map(|side| f64::from(side.max(1)));
         let fit = |axis: usize| room_sides[axis] / f64::from(sides[axis]);
         let scale = fit(0).min(fit(1));
-        let scale = if scale > 1.0 { scale.floor() } else { scale };
         let margin = |axis: usize| (room_sides[axis] - scale * f64::from(sides[axis])) as i32 / 2;
         Self {
             scale,
@@ -67,25 +65,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_fits_by_a_whole_factor_or_is_shrunk() {
+    fn a_picture_is_as_large_as_fits() {
         let room = Area {
             x: 0,
             y: 30,
             width: 640,
             height: 480,
         };
-        for (side, scale, corner, last, first) in [
-            (480, 1.0, [80, 30], [559, 509], 0),
-            (200, 2.0, [120, 70], [519, 469], 0),
+        for (side, scale, first) in [
+            (480, 1.0, 0),
+            (200, 2.4, 0),
             // The middle of a pixel of the window is where four of the picture meet.
-            (960, 0.5, [80, 30], [559, 509], 1),
+            (960, 0.5, 1),
         ] {
             let placement = Placement::new(Size::new(side, side).unwrap(), room);
-            assert_eq!((placement.scale, placement.corner), (scale, corner));
-            assert_eq!(placement.pixel_at(corner), Some([first; 2]));
-            assert_eq!(placement.pixel_at(last), Some([side - 1; 2]));
-            assert_eq!(placement.pixel_at(last.map(|at| at + 1)), None);
-            assert_eq!(placement.pixel_at(corner.map(|at| at - 1)), None);
+            assert_eq!((placement.scale, placement.corner), (scale, [80, 30]));
+            assert_eq!(placement.pixel_at([80, 30]), Some([first; 2]));
+            assert_eq!(placement.pixel_at([559, 509]), Some([side - 1; 2]));
+            assert_eq!(placement.pixel_at([560, 510]), None);
+            assert_eq!(placement.pixel_at([79, 29]), None);
         }
     }
 }

@@ -63,9 +63,9 @@ pub fn window_size(picture: Size) -> (usize, usize) {
     (width as usize, (height * scale) as usize + bars as usize)
 }
 
-/// The width of a dot: a line of the window has room for 60 letters or more.
+/// The width of a dot of the letters, in a window of this width.
 const fn dot(width: i32) -> i32 {
-    1 + width / 960
+    1 + width / 1280
 }
 
 const fn menu_height(dot: i32) -> i32 {
@@ -114,19 +114,18 @@ impl Screen {
         }
     }
 
-    /// Draws the picture, of which a pixel of the window shows one pixel; where it is shrunk, the
-    /// mean of four.
+    /// Draws the picture. A pixel of the window shows the mean of four places in it, so that all pixels of an
+    /// enlarged picture look equally wide, and no line of a shrunk one is lost.
     fn draw_picture(&mut self, picture: &LivePicture) {
         let placement = self.placement;
         let quarters = |axis, at| [0.25, 0.75].map(|part| placement.inside(axis, at, part));
         for ([left, y], row) in self.frame.rows(placement.area()) {
-            let middle = placement.inside(1, y, 0.5);
             let rows = quarters(1, y);
             for (x, shown) in (left..).zip(row) {
-                *shown = if placement.scale >= 1.0 {
-                    picture.pixel(placement.inside(0, x, 0.5), middle)
+                let columns = quarters(0, x);
+                *shown = if rows[0] == rows[1] && columns[0] == columns[1] {
+                    picture.pixel(columns[0], rows[0])
                 } else {
-                    let columns = quarters(0, x);
                     let four = rows.map(|y| columns.map(|x| picture.pixel(x, y)));
                     mean(four.as_flattened())
                 };
