@@ -190,7 +190,7 @@ fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
         ..Experiment::new("scaling")
     };
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    Measured::new(experiment, Effort::Quick, |_, _| {}).write(folder, "engine", None)?;
+    Measured::new(experiment, Effort::Quick, 1, |_, _| {}).write_plots(folder, "engine", None)?;
     let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
     let plot = "engine-scaling.svg";
     fs::copy(folder.join(plot), pictures.join(plot))?;
