@@ -26,9 +26,9 @@ pub fn decode(value: f64) -> f64 {
 }
 
 testing::examples! {
-    assert_close(encode(0.001), 0.012_92);
-    assert_close(encode(1.0), 1.0);
+    assert_close!(encode(0.001), 0.012_92);
+    assert_close!(encode(1.0), 1.0);
     // With u = 0.75, u^12 to the power of 1 / 2.4 is u^5.
-    assert_close(encode(libm::pow(0.75, 12.0)), 1.055 * libm::pow(0.75, 5.0) - 0.055);
-    assert_close(decode(encode(0.5)), 0.5);
+    assert_close!(encode(libm::pow(0.75, 12.0)), 1.055 * libm::pow(0.75, 5.0) - 0.055);
+    assert_close!(decode(encode(0.5)), 0.5);
 }

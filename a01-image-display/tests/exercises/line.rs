@@ -10,7 +10,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     // With an odd number of steps, the line never passes half way between two pixels, where
     // both are right.
-    let mut sizes = random(|r| (1 + r.below(99), 1 + r.below(99)));
+    let mut sizes = random(|r| (1 + r.below(24), 1 + r.below(24)));
     sizes.retain(|(w, h)| w.max(h) % 2 == 0);
     let pictures = Questions {
         words: "a picture of {}x{}".into(),

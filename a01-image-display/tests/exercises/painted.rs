@@ -1,21 +1,28 @@
-//! A picture as the answer of a comparison: its size, and the places that are painted.
+//! A picture as the answer of a comparison: its size, and its rows in letters.
 
 use crate::prelude::*;
 
-/// The answer of a function that paints a picture of this width and height.
+/// The answer of a function that paints a picture of this width and height. In its rows, `.` is a
+/// black pixel.
 pub fn painted((w, h): (u32, u32), paint: impl Fn(Size) -> Result<Image, Error>) -> Answer {
-    let described = |image: Image| {
-        let places = image.pixels().iter().zip(0..).filter_map(|(color, i)| {
-            let name = match *color {
-                Color::BLACK => return None,
-                Color::RED => "red",
-                Color::BLUE => "blue",
-                _ => "another colour",
-            };
-            Some(format!(", {name} at ({}, {})", i % w, i / w))
-        });
-        format!("{}{}", image.size(), places.collect::<String>())
+    let image = match Size::new(w, h).map_err(Error::from).and_then(paint) {
+        Ok(image) => image,
+        Err(error) => return Answer::words(error.to_string()),
     };
-    let image = Size::new(w, h).map_err(Error::from).and_then(paint);
-    Answer::words(image.map_or_else(|error| error.to_string(), described))
+    let mut answer = Answer::named("size", Answer::words(image.size().to_string()));
+    for (row, pixels) in image.rows().enumerate() {
+        let letters: String = pixels.iter().map(letter).collect();
+        answer = answer.and(&format!("row {row}"), Answer::words(letters));
+    }
+    answer
+}
+
+fn letter(color: &Color) -> char {
+    match *color {
+        Color::BLACK => '.',
+        Color::RED => 'r',
+        Color::GREEN => 'g',
+        Color::BLUE => 'b',
+        _ => '?',
+    }
 }

@@ -21,8 +21,17 @@ pub fn exercise() -> Exercise<Code> {
             Some(Answer::words(ppm(&image.ok()?).escape_ascii().to_string()))
         },
     };
+    let between_bytes = Questions {
+        words: "a picture of one pixel of the grey {}".into(),
+        simple: vec![0.999, 0.5, 0.25, 2.0, -1.0],
+        others: vec![],
+        answer: |ppm: &Code, grey| {
+            let image = Image::from_fn(Size::new(1, 1).ok()?, |_, _| Color::gray(grey));
+            Some(Answer::words(ppm(&image.ok()?).escape_ascii().to_string()))
+        },
+    };
     Exercise {
-        questions: vec![pictures.into()],
+        questions: vec![pictures.into(), between_bytes.into()],
         wrong: vec![
             Other::new("the width comes before the height", |image| {
                 file(image, |w, h| format!("P6\n{h} {w}\n255\n"))

@@ -13,7 +13,7 @@ pub fn set_pixel(image: &mut Image, x: u32, y: u32, color: Color) {
 
 pub fn exercise() -> Exercise<Code> {
     let places = Questions {
-        words: "a picture of {}x{}, column {}, row {}".into(),
+        words: "red in a blue picture of {}x{}, column {}, row {}".into(),
         simple: vec![
             (4, 3, 0, 0),
             (4, 3, 2, 1),
@@ -23,6 +23,8 @@ pub fn exercise() -> Exercise<Code> {
             (1, 5, 0, 4),
             // Far outside, where a product does not fit into 32 bits.
             (4, 3, 1, 1 << 30),
+            (4, 3, 2, (1 << 30) + 1),
+            (16, 2, 3, 1 << 28),
             (4, 3, 0, u32::MAX),
             (4, 3, u32::MAX, 0),
             (4, 3, u32::MAX, u32::MAX),
@@ -30,14 +32,26 @@ pub fn exercise() -> Exercise<Code> {
         others: random(|r| (1 + r.below(9), 1 + r.below(9), r.below(9), r.below(9))),
         answer: |set_pixel: &Code, (w, h, x, y)| {
             painted((w, h), |size| {
-                let mut image = Image::black(size)?;
+                let mut image = Image::from_fn(size, |_, _| Color::BLUE)?;
                 set_pixel(&mut image, x, y, Color::RED);
                 Ok(image)
             })
         },
     };
+    let colors = Questions {
+        words: "green in a black picture of 4x3, column {}, row {}".into(),
+        simple: vec![(1, 1), (3, 2)],
+        others: vec![],
+        answer: |set_pixel: &Code, (x, y)| {
+            painted((4, 3), |size| {
+                let mut image = Image::black(size)?;
+                set_pixel(&mut image, x, y, Color::GREEN);
+                Ok(image)
+            })
+        },
+    };
     Exercise {
-        questions: vec![places.into()],
+        questions: vec![places.into(), colors.into()],
         picture: Picture::scene("diagonal", |set_pixel: &Code, settings| {
             let mut image = Image::black(settings.size)?;
             for at in 0..settings.size.width() {
@@ -46,7 +60,7 @@ pub fn exercise() -> Exercise<Code> {
             Ok(image)
         }),
         drawing: drawing(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
-        right: vec![Other::new("a pixel of a row", pixel_of_row)],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "x beyond the width is no pixel of the next row",
@@ -80,13 +94,6 @@ pub fn exercise() -> Exercise<Code> {
             ),
         ],
         ..Exercise::default()
-    }
-}
-
-fn pixel_of_row(image: &mut Image, x: u32, y: u32, color: Color) {
-    let row = image.rows_mut().nth(y as usize);
-    if let Some(pixel) = row.and_then(|row| row.get_mut(x as usize)) {
-        *pixel = color;
     }
 }
 

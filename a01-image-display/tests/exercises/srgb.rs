@@ -13,7 +13,7 @@ pub struct Code {
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
-    let simple = vec![1.0, 0.0, 0.5, 0.02, 0.002];
+    let simple = vec![1.0, 0.0, 0.5, 0.02, 0.002, 0.0031, 0.0032, 0.04, 0.041];
     // Above and below the border between both parts.
     let others = random(|r| r.between(0.0, 1.0) * [1.0, 0.01][r.below(2) as usize]);
     let lights = Questions {

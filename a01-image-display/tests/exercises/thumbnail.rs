@@ -10,7 +10,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let pictures = Questions {
         words: "a picture of {}x{} with the greys {}, by {}".into(),
-        simple: [(2, 2, 2), (4, 1, 3)]
+        simple: [(2, 2, 2), (4, 1, 3), (1, 4, 3), (2, 2, 1), (2, 2, 5)]
             .map(|(w, h, n)| (w, h, vec![0.0, 1.0, 3.0, 4.0], n))
             .to_vec(),
         others: random(|r| {

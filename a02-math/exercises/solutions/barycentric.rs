@@ -19,9 +19,9 @@ pub fn barycentric(p: Point3, [a, b, c]: [Point3; 3]) -> Option<[f64; 3]> {
 testing::examples! {
     let corners = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(|(x, y)| Point3::new(x, y, 5.0));
     let weights = |x, y, z| barycentric(Point3::new(x, y, z), corners);
-    assert_eq!(weights(4.0, 0.0, 5.0), Some([0.0, 1.0, 0.0]), "the corner b");
-    assert_eq!(weights(1.0, 1.0, 5.0), Some([0.5, 0.25, 0.25]), "inside");
-    assert_eq!(weights(1.0, 1.0, 9.0), Some([0.5, 0.25, 0.25]), "above it");
-    assert_eq!(weights(8.0, 0.0, 5.0), Some([-1.0, 2.0, 0.0]), "outside");
+    assert_close!(weights(4.0, 0.0, 5.0), Some([0.0, 1.0, 0.0]), "the corner b");
+    assert_close!(weights(1.0, 1.0, 5.0), Some([0.5, 0.25, 0.25]), "inside");
+    assert_close!(weights(1.0, 1.0, 9.0), Some([0.5, 0.25, 0.25]), "above it");
+    assert_close!(weights(8.0, 0.0, 5.0), Some([-1.0, 2.0, 0.0]), "outside");
     assert_eq!(barycentric(corners[0], [corners[0]; 3]), None, "no triangle");
 }

@@ -18,8 +18,8 @@ pub fn length(x: f64, y: f64, z: f64) -> f64 {
 }
 
 testing::examples! {
-    assert_close(length(2.0, -3.0, 6.0), 7.0);
-    assert_close(length(3e200, 4e200, 0.0), 5e200);
-    assert_close(length(0.0, -3e-200, 4e-200) * 1e200, 5.0);
-    assert_eq!(length(0.0, 0.0, 0.0), 0.0);
+    assert_close!(length(2.0, -3.0, 6.0), 7.0);
+    assert_close!(length(3e200, 4e200, 0.0), 5e200);
+    assert_close!(length(0.0, -3e-200, 4e-200) * 1e200, 5.0);
+    assert_close!(length(0.0, 0.0, 0.0), 0.0);
 }

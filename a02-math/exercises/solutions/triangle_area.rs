@@ -15,7 +15,7 @@ testing::examples! {
     let area = |b, c| triangle_area(a, a + b, a + c);
     let right = [Vector3::new(3.0, 0.0, 0.0), Vector3::new(0.0, 4.0, 0.0)];
     let aslant = [Vector3::new(2.0, 1.0, -2.0), Vector3::new(-2.0, 2.0, -1.0)];
-    assert_close(area(right[0], right[1]), 6.0);
-    assert_close(area(right[1], right[0]), 6.0);
-    assert_close(area(aslant[0], aslant[1]), 4.5);
+    assert_close!(area(right[0], right[1]), 6.0);
+    assert_close!(area(right[1], right[0]), 6.0);
+    assert_close!(area(aslant[0], aslant[1]), 4.5);
 }

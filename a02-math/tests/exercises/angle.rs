@@ -17,12 +17,19 @@ pub fn exercise() -> Exercise<Code> {
     let x = [1.0, 0.0, 0.0];
     let vectors = Questions {
         words: "a = {}, b = {}".into(),
-        // A right angle, an obtuse one, a tiny one, none, and vectors that differ much in length.
+        // A right angle, an obtuse one, none, the largest, tiny ones, of a zero vector, and of
+        // vectors that differ much in length.
         simple: vec![
             (x, [0.0, 2.0, 0.0]),
             (x, [-2.0, 2.0, 0.0]),
+            (x, [3.0, 0.0, 0.0]),
+            (x, [-3.0, 0.0, 0.0]),
             (x, [1.0, 1e-9, 0.0]),
+            (x, [2.0, 0.0, -1e-8]),
+            (x, [-1.0, 1e-9, 0.0]),
             (x, [0.0, 0.0, 0.0]),
+            ([0.0, 0.0, 0.0], x),
+            ([0.0, 1.0, 1.0], [1.0, 1.0, 0.0]),
             ([1e-18, 0.0, 0.0], [-2.0, 2.0, 0.0]),
             ([1e18, 0.0, 0.0], [-2.0, 2.0, 0.0]),
         ],
@@ -39,7 +46,7 @@ pub fn exercise() -> Exercise<Code> {
             ..LESSON
         }),
         drawing: drawing(|angle: &Code, settings| fans(*angle, settings)),
-        right: vec![Other::new("half the angle, in a rhombus", in_rhombus)],
+        right: vec![code!()],
         wrong: vec![
             Other::new("the cosine of a tiny angle rounds to 1", |a, b| {
                 libm::acos(cosine(a, b).clamp(-1.0, 1.0))
@@ -53,11 +60,6 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..Exercise::default()
     }
-}
-
-fn in_rhombus(a: Vector3, b: Vector3) -> f64 {
-    let (a, b) = (a * b.magnitude(), b * a.magnitude());
-    2.0 * libm::atan2((a - b).magnitude(), (a + b).magnitude())
 }
 
 fn cosine(a: Vector3, b: Vector3) -> f64 {

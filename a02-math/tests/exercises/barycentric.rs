@@ -16,7 +16,11 @@ pub fn exercise() -> Exercise<Code> {
         simple: vec![
             ([1.0, 1.0, 0.0], [o, x, y]),
             ([4.0, 4.0, 1.0], [o, x, y]),
+            (y, [o, x, y]),
+            ([2.0, 2.0, 0.0], [y, x, o]),
+            ([-2.0, 1.0, 0.0], [o, x, y]),
             (y, [o, x, [8.0, 0.0, 0.0]]),
+            (y, [x, x, x]),
         ],
         others: random(|r| {
             let scale = r.scale();

@@ -41,13 +41,7 @@ pub fn exercise() -> Exercise<Code> {
             ..LESSON
         }),
         drawing: drawing(|reflected: &Code, settings| parabola(*reflected, settings)),
-        right: vec![Other::new(
-            "the part along the normal less the rest",
-            |v, n| {
-                let along = Vector3::from(n) * n.dot(v);
-                along - (v - along)
-            },
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new("v points away", |v, n| -v.reflected_on(n)),
             Other::new("the part along the normal counts twice", |v, n| {

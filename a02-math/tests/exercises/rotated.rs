@@ -12,24 +12,24 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let v = [1.0, 2.0, 3.0];
     let rotations = Questions {
-        words: "v = {}, around {} by {} degrees".into(),
+        words: "v = {}, around {} by the angle {}".into(),
         simple: vec![
-            (v, [0.0, 0.0, 1.0], 90.0),
-            (v, [0.0, 0.0, 2.0], 90.0),
-            (v, [0.0, 0.0, -1.0], 90.0),
-            (v, [0.0, 0.0, 0.0], 90.0),
-            (v, [0.0, 0.0, 1e-18], 90.0),
-            (v, [0.0, 0.0, 1e18], 90.0),
+            (v, [0.0, 0.0, 1.0], 1.0),
+            (v, [0.0, 0.0, 2.0], 1.0),
+            (v, [0.0, 0.0, -1.0], 1.0),
+            (v, [1.0, 0.0, 0.0], -1.0),
+            (v, [0.0, 0.0, 0.0], 1.0),
+            (v, [0.0, 0.0, 1.0], 0.0),
+            (v, [0.0, 0.0, 1e-18], 1.0),
+            (v, [0.0, 0.0, 1e18], 1.0),
         ],
         others: random(|r| {
             let length = r.scale();
             let axis = r.triple(9.0).map(|x| x * length);
-            (r.triple(9.0), axis, r.between(-360.0, 360.0))
+            (r.triple(9.0), axis, r.between(-7.0, 7.0))
         }),
-        answer: |rotated: &Code, (v, axis, degrees): (_, _, f64)| {
-            rotated(vector(v), vector(axis), degrees.to_radians())
-                .to_glam()
-                .to_array()
+        answer: |rotated: &Code, (v, axis, angle)| {
+            rotated(vector(v), vector(axis), angle).to_glam().to_array()
         },
     };
     Exercise {
@@ -37,6 +37,9 @@ pub fn exercise() -> Exercise<Code> {
         wrong: vec![
             Other::from_right("k × v points to the left, v × k to the right", |right| {
                 Arc::new(move |v, axis, angle| right(v, axis, -angle))
+            }),
+            Other::from_right("the angle is in radians, not in degrees", |right| {
+                Arc::new(move |v, axis, angle| right(v, axis, angle.to_radians()))
             }),
             Other::from_right("the part along the axis stays", |right| {
                 Arc::new(move |v, axis, angle| {

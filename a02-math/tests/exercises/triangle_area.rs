@@ -11,7 +11,13 @@ pub fn exercise() -> Exercise<Code> {
     let [o, x, y] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
     let triangles = Questions {
         words: "corners {}, {} and {}".into(),
-        simple: vec![(o, x, y), (o, x, [2.0, 1.0 / 256.0, 0.0])],
+        simple: vec![
+            (o, x, y),
+            (y, x, o),
+            (o, x, x),
+            (o, x, [2.0, 1.0 / 256.0, 0.0]),
+            (o, x, [1.0, 0.0, 1.0 / 1024.0]),
+        ],
         others: random(|r| {
             let far = f64::from(r.below(2)) * 1e6;
             let mut corner = || r.triple(9.0).map(|x| x + far);
@@ -22,9 +28,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vec![triangles.into()],
         rounding_flaw: Some("loses digits where a triangle is flat or far away"),
-        right: vec![Other::new("from another corner", |p, q, r| {
-            (p - r).cross(q - r).magnitude() * 0.5
-        })],
         wrong: vec![
             Other::new("a triangle is half of the parallelogram", |p, q, r| {
                 (q - p).parallelogram_area(r - p)

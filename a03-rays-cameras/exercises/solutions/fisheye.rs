@@ -38,8 +38,8 @@ testing::examples! {
     let basis = Basis::new(Point3::ORIGIN, gaze, up).unwrap();
     let camera = Fisheye::new(basis, PI);
     let direction = |x, y| direction(&camera, Size::new(8, 4).unwrap(), x, y);
-    assert_close(direction(3.5, 1.5), [0.0, 0.0, -1.0]);
-    assert_close(direction(3.5, 3.5), [0.0, 1.0, 0.0]);
-    assert_close(direction(5.5, 1.5), [1.0, 0.0, 0.0]);
-    assert_close(direction(7.5, 1.5), [0.0, 0.0, 1.0]);
+    assert_close!(direction(3.5, 1.5), [0.0, 0.0, -1.0]);
+    assert_close!(direction(3.5, 3.5), [0.0, 1.0, 0.0]);
+    assert_close!(direction(5.5, 1.5), [1.0, 0.0, 0.0]);
+    assert_close!(direction(7.5, 1.5), [0.0, 0.0, 1.0]);
 }

@@ -18,8 +18,8 @@ pub fn radical_inverse(mut n: u32, base: u32) -> f64 {
 }
 
 testing::examples! {
-    assert_eq!([0, 1, 2, 3].map(|n| radical_inverse(n, 2)), [0.0, 0.5, 0.25, 0.75]);
-    assert_eq!(radical_inverse(6, 2), 0.375);
-    assert_close(radical_inverse(5, 3), 7.0 / 9.0);
-    assert_close(radical_inverse(1234, 10), 0.4321);
+    assert_close!([0, 1, 2, 3].map(|n| radical_inverse(n, 2)), [0.0, 0.5, 0.25, 0.75]);
+    assert_close!(radical_inverse(6, 2), 0.375);
+    assert_close!(radical_inverse(5, 3), 7.0 / 9.0);
+    assert_close!(radical_inverse(1234, 10), 0.4321);
 }

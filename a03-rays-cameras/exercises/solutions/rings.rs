@@ -12,8 +12,8 @@ pub fn ring(direction: Vector3, pole: Vector3, width: f64) -> u32 {
 
 testing::examples! {
     let [up, right] = [Vector3::new(0.0, 2.0, 0.0), Vector3::new(1.0, 0.0, 0.0)];
-    assert_eq!(ring(up, up, 0.5), 0, "at the pole");
-    assert_eq!(ring(right, up, 0.5), 3, "1.57 radians away");
-    assert_eq!(ring(-up, up, 0.5), 6, "opposite to it");
-    assert_eq!(ring(Vector3::new(5e-9, 2.0, 0.0), up, 1e-9), 2, "very near to it");
+    assert_close!(ring(up, up, 0.5), 0, "at the pole");
+    assert_close!(ring(right, up, 0.5), 3, "1.57 radians away");
+    assert_close!(ring(-up, up, 0.5), 6, "opposite to it");
+    assert_close!(ring(Vector3::new(5e-9, 2.0, 0.0), up, 1e-9), 2, "very near to it");
 }

@@ -15,6 +15,7 @@ pub fn exercise() -> Exercise<Code> {
         simple: vec![
             vec![],
             vec![3.0],
+            vec![-1.0, 1.0],
             vec![1.0, 2.0, 6.0],
             vec![1.0, 1e100, 1.0, -1e100],
             vec![1e100, 1.0, -1e100, 1.0],

@@ -28,15 +28,14 @@ pub fn exercise() -> Exercise<Code> {
             paint(&*camera, &|ray| sky.color_for(ray), settings)
         }),
         drawing: drawing(floor),
-        right: vec![Other::new(
-            "the part of the up vector across the gaze",
-            with_v(|w, t| t - w * t.dot(w)),
-        )],
+        right: vec![code!()],
         wrong,
         ..cameras(Cameras {
             words: "eye, gaze and up {}, field of view {}",
             first: (AHEAD, FRAC_PI_2),
             further: vec![
+                ([[0.0; 3], [0.0, 0.0, -1.0], [0.0, 2.0, 1.0]], 1.0),
+                ([[1.0, 2.0, 3.0], [0.0, 1.0, -1.0], [0.0, 1.0, 0.0]], 1.0),
                 ([[0.0; 3], [0.0, 0.0, -1e-18], [0.0, 1e-18, 0.0]], 1.0),
                 ([[0.0; 3], [0.0, 0.0, -1e18], [0.0, 1e18, 0.0]], 1.0),
             ],

@@ -42,13 +42,7 @@ pub fn exercise() -> Exercise<Code> {
             picture(&camera, &|ray| sky.color_for(ray), settings)
         }),
         drawing: drawing(landscape),
-        right: vec![Other::new(
-            "a running mean",
-            painted(Style {
-                is_flipped: false,
-                pixel: running_mean,
-            }),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "rows are counted from the top",

@@ -32,7 +32,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vec![numbers.into()],
         picture: Picture::own(points),
-        right: vec![Other::new("a sum of fractions", Arc::new(sum_of_fractions))],
         wrong: vec![
             Other::from_right("digits stand behind the point, not before it", |right| {
                 Arc::new(move |n, base| right(n, base) * f64::from(base))
@@ -59,14 +58,4 @@ fn points(radical_inverse: &Code, settings: &Settings) -> Result<Image, Error> {
         image.set(x as u32, y as u32, Color::WHITE);
     }
     Ok(image)
-}
-
-fn sum_of_fractions(mut n: u32, base: u32) -> f64 {
-    let (mut sum, mut place) = (0.0, 1.0);
-    while n > 0 {
-        place /= f64::from(base);
-        sum += f64::from(n % base) * place;
-        n /= base;
-    }
-    sum
 }

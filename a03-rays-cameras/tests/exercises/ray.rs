@@ -28,6 +28,7 @@ pub fn exercise() -> Exercise<Code> {
         simple: vec![
             ([0.0; 3], [0.0, 0.0, -2.0], 3.0, [0.0, 0.0, -8.0]),
             ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], -1.0, [5.0, 4.0, 0.0]),
+            ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], 0.0, [-1.0, 2.0, 3.0]),
             ([1.0, 2.0, 0.0], [1e-18, 0.0, 0.0], 2e18, [5.0, 4.0, 0.0]),
             ([1.0, 2.0, 0.0], [1e18, 0.0, 0.0], 2e-18, [5.0, 4.0, 0.0]),
         ],
@@ -45,13 +46,7 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![rays.into()],
         picture: scene(striped),
         drawing: drawing(points_and_feet),
-        right: vec![Other::new(
-            "with a direction of length 1",
-            Code {
-                at: |ray, t| ray.origin() + unit(ray) * (t * length(ray)),
-                t_of: |ray, p| (p - ray.origin()).dot(unit(ray)) / length(ray),
-            },
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::from_right("t is no distance: d may have any length", |right| Code {
                 t_of: |ray, p| (p - ray.origin()).magnitude(),
@@ -85,10 +80,6 @@ fn striped(
 
 fn unit(ray: &Ray) -> Vector3 {
     ray.direction().normalized().unwrap_or_default()
-}
-
-fn length(ray: &Ray) -> f64 {
-    ray.direction().magnitude()
 }
 
 /// Rays with directions of different lengths, the first one an arrow; their points at t = 0, 1, 2

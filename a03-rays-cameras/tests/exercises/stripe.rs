@@ -46,6 +46,9 @@ pub fn exercise() -> Exercise<Code> {
             (1.0, 10, [0.0, 0.0, -1.0]),
             (1.0, 10, [0.0, 1.0, 0.0]),
             (1.0, 10, [0.0, -1.0, 0.0]),
+            (1.0, 10, [0.0, 0.1, -1.0]),
+            (1.0, 10, [0.0, -0.1, -1.0]),
+            (1.0, 1, [0.0, 0.1, -1.0]),
         ],
         others: random(|r| (r.between(0.2, 2.8), 1 + r.below(12), r.triple(1.0))),
         answer: |new: &Code, (angle, stripes, d)| {
@@ -71,10 +74,7 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&camera, &radiance, settings)
         }),
-        right: vec![Other::new(
-            "in halves of the picture",
-            by_height(|height, n| (n / 2.0 * (height + 1.0)).min(n - 1.0)),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "above the picture is the last stripe",

@@ -23,8 +23,8 @@ pub fn checkerboard(p: Point3, n: Normal3) -> Color {
 testing::examples! {
     let up = Normal3::new(0.0, 1.0, 0.0);
     let color = |x, y| checkerboard(Point3::new(x, y, 0.5), up);
-    assert_eq!(color(0.5, 0.5), Color::WHITE);
-    assert_eq!(color(-0.5, 0.5), Color::BLACK);
-    assert_eq!(color(0.5, 0.0), Color::BLACK, "the cube below the floor");
-    assert_eq!(checkerboard(Point3::new(0.5, 0.0, 0.5), -up), Color::WHITE, "a ceiling");
+    assert_close!(color(0.5, 0.5), Color::WHITE);
+    assert_close!(color(-0.5, 0.5), Color::BLACK);
+    assert_close!(color(0.5, 0.0), Color::BLACK, "the cube below the floor");
+    assert_close!(checkerboard(Point3::new(0.5, 0.0, 0.5), -up), Color::WHITE, "a ceiling");
 }

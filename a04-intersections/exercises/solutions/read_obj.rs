@@ -75,8 +75,8 @@ testing::examples! {
             .map(|hit| [hit.t, hit.normal.y()])
     };
     let upwards = 6.0 / 37_f64.sqrt();
-    assert_close(hit("f 1 2 4"), Some([2.75, upwards]));
-    assert_close(hit("f 1/7 2/8 -1"), Some([2.75, upwards]));
-    assert_eq!(read("f 1 2 3 4").map(|triangles| triangles.len()), Ok(2));
-    assert!(read("f 1 2 9").unwrap_err().starts_with("line 5: "));
+    assert_close!(hit("f 1 2 4"), Some([2.75, upwards]));
+    assert_close!(hit("f 1/7 2/8 -1"), Some([2.75, upwards]));
+    assert_close!(read("f 1 2 3 4").map_or(0, |triangles| triangles.len()), 2, "triangles of four corners");
+    assert!(read("f 1 2 9").is_err_and(|error| error.starts_with("line 5: ")), "an error in line 5");
 }

@@ -14,8 +14,8 @@ pub fn signed_distance(a: Point3, n: Normal3, p: Point3) -> f64 {
 testing::examples! {
     let a = Point3::new(7.0, -1.0, 0.0);
     let from = |n, y| signed_distance(a, Normal3::new(0.0, n, 0.0), Point3::new(0.0, y, 5.0));
-    assert_eq!(from(1.0, 0.0), 1.0, "on the side of the normal");
-    assert_eq!(from(1.0, -3.0), -2.0, "on the far side");
-    assert_eq!(from(1.0, -1.0), 0.0, "in the plane");
-    assert_eq!(from(2.0, 0.0), 1.0, "with a normal of length 2");
+    assert_close!(from(1.0, 0.0), 1.0, "on the side of the normal");
+    assert_close!(from(1.0, -3.0), -2.0, "on the far side");
+    assert_close!(from(1.0, -1.0), 0.0, "in the plane");
+    assert_close!(from(2.0, 0.0), 1.0, "with a normal of length 2");
 }

@@ -73,8 +73,8 @@ testing::examples! {
     let hit = |x, y, dy| {
         hit_from([x, y, 0.0], [0.0, dy, 0.0], &torus).map(|hit| [hit.t, hit.normal.y()])
     };
-    assert_close(hit(2.0, 5.0, -1.0), Some([4.5, 1.0]));
-    assert_close(hit(2.0, 5.0, -2.0), Some([2.25, 1.0]));
-    assert_close(hit(2.0, 0.0, -1.0), Some([0.5, -1.0]));
+    assert_close!(hit(2.0, 5.0, -1.0), Some([4.5, 1.0]));
+    assert_close!(hit(2.0, 5.0, -2.0), Some([2.25, 1.0]));
+    assert_close!(hit(2.0, 0.0, -1.0), Some([0.5, -1.0]));
     assert_eq!(hit(0.0, 5.0, -1.0), None, "through the hole");
 }

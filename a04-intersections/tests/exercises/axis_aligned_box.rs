@@ -15,13 +15,7 @@ pub fn exercise() -> Exercise<Code> {
                 new(([x[0], x[1], x[2]], [x[3], x[4], x[5]]))
             })
         }),
-        right: vec![Other::new(
-            "all axes at once",
-            slabs(Style {
-                is_crossed: |near, far| near <= far,
-                ..RIGHT
-            }),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "edges belong to the box",

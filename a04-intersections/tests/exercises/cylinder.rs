@@ -33,8 +33,9 @@ pub fn exercise() -> Exercise<Code> {
             first: (1.0, 2.0),
             further: vec![(2.0, 0.5)],
             on_surface: vec![[1.0, 1.0, 0.0], [0.0, 0.5, -1.0], [0.0, 2.0, 1.0]],
-            least_step: 0.0,
             own_rays: vec![],
+            is_found_by_steps: false,
+            middle: |(_, height)| [0.0, height / 2.0, 0.0],
             any: |r| (r.between(0.1, 5.0), r.between(0.1, 9.0)),
         })
     }

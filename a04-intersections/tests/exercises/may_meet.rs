@@ -10,7 +10,15 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let ray = |o, d| Ray::derived(point(o), vector(d));
     // Ahead, behind, from inside, touching, and from the border away.
-    let rays = [[0.0, -5.0], [0.0, 5.0], [0.0, 1.0], [2.0, -5.0], [0.0, 2.0]];
+    let rays = [
+        [0.0, -5.0],
+        [0.0, 5.0],
+        [0.0, 1.0],
+        [2.0, -5.0],
+        [-2.0, -5.0],
+        [0.0, 2.0],
+        [-3.0, -5.0],
+    ];
     let mut simple = Vec::new();
     for [x, y] in rays {
         simple.push(([0.0; 3], 2.0, [x, y, 0.0], [0.0, 1.0, 0.0]));

@@ -18,7 +18,7 @@ const ORDERS: [[f64; 3]; 3] = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        questions: vec![searched(find, ask)],
+        questions: vec![questions()],
         picture: Picture::scene("scene-5", |nearest: &Code, settings| {
             let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
             let color = |ray: &Ray| {
@@ -29,14 +29,7 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&*scene_5()?.camera, &color, settings)
         }),
-        right: vec![Other::new(
-            "all hits, and then the first",
-            |world, ray, within| {
-                let hits = hits(world, ray, within).into_iter();
-                let (hit, number) = hits.min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t))?;
-                Some((turned(hit, hit.geometric_normal, ray), number))
-            },
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new("an object has a number of its own", |world, ray, within| {
                 let (hit, number) = nearest(world, ray, within)?;
@@ -70,40 +63,29 @@ pub fn exercise() -> Exercise<Code> {
     }
 }
 
-/// Finds rays to the spheres in the first order.
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "code of any type is passed so"
-)]
-fn find(nearest: &Code) -> Vec<f64> {
-    let nearest = *nearest;
-    let Ok(world) = world(1.0, &ORDERS[0].map(|z| [0.0, 0.0, z])) else {
-        return Vec::new();
-    };
-    let found = Found::search(&own(move |ray: &Ray, within| {
-        Some(nearest(&world, ray, within)?.0)
-    }));
-    found.into_iter().flat_map(Found::numbers).collect()
-}
-
-fn ask(found: &[f64]) -> Vec<CodeQuestion<Code>> {
-    let found: Vec<_> = found
-        .as_chunks()
-        .0
-        .iter()
-        .copied()
-        .map(Found::of_numbers)
-        .collect();
-    let (mut simple, mut others) = (Vec::new(), Vec::new());
+/// Rays to the spheres in each order.
+fn questions() -> Vec<CodeQuestion<Code>> {
+    let (mut simple, mut others, mut r) = (Vec::new(), Vec::new(), Random::new(2));
     for zs in ORDERS {
         for min in [0.0, 4.5, 7.5] {
             simple.push((zs, ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0)));
         }
-        others.extend(
-            from_everywhere(&found, 0.0)
-                .into_iter()
-                .map(|ray| (zs, ray)),
-        );
+        // Along the triangle, which is seen from before and from behind; from behind to the triangle, into a sphere from inside, past all, and up to before the first.
+        for (origin, direction, max) in [
+            ([-3.0, 0.0, 4.0], [1.0, 0.0, -1.0], 99.0),
+            ([3.0, 0.0, -2.0], [-1.0, 0.0, 1.0], 99.0),
+            ([0.0, 0.0, -1.5], [0.0, 0.0, 1.0], 99.0),
+            ([0.0, 0.0, -6.0], [0.0, 0.0, -2.0], 99.0),
+            ([3.0, 0.0, 0.0], [0.0, 0.0, -1.0], 99.0),
+            ([0.0; 3], [0.0, 0.0, -1.0], 1.5),
+        ] {
+            simple.push((zs, (origin, direction, 0.0, max)));
+        }
+        for _ in 0..8 {
+            for ray in around([0.0, 0.0, -6.0], &mut r) {
+                others.push((zs, ray));
+            }
+        }
     }
     let questions = Questions {
         words: format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
@@ -116,7 +98,7 @@ fn ask(found: &[f64]) -> Vec<CodeQuestion<Code>> {
             Some(hit_answer(hit).and("number", number))
         },
     };
-    questions.asked()
+    questions.into()
 }
 
 /// The number of the triangle, and those of the spheres: none is a place in the list.

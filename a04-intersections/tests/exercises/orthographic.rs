@@ -22,10 +22,7 @@ pub fn exercise() -> Exercise<Code> {
             let camera = new((AHEAD, 3.0))?;
             paint(&*camera, &|ray: &Ray| world.radiance(ray, 1), settings)
         }),
-        right: vec![Other::new(
-            "from the lower left pixel on",
-            variant(|[w, h], [x, y]| [w / h * from_middle(x, w), from_middle(y, h)]),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "a wide picture shows more to the sides",
@@ -44,6 +41,8 @@ pub fn exercise() -> Exercise<Code> {
             words: "eye, gaze and up {}, s = {}",
             first: (AHEAD, 1.0),
             further: vec![
+                ([[0.0; 3], [0.0, 0.0, -1.0], [0.0, 2.0, 1.0]], 1.0),
+                ([[1.0, 2.0, 3.0], [0.0, 1.0, -1.0], [0.0, 1.0, 0.0]], 1.0),
                 ([[0.0; 3], [0.0, 0.0, -1e-18], [0.0, 1e-18, 0.0]], 1.0),
                 ([[0.0; 3], [0.0, 0.0, -1e18], [0.0, 1e18, 0.0]], 1.0),
             ],

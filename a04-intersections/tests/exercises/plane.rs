@@ -16,10 +16,7 @@ pub fn exercise() -> Exercise<Code> {
                 new(([x[0], x[1], x[2]], [x[3], x[4], x[5]]))
             })
         }),
-        right: vec![Other::new(
-            "the plane as n · p + k = 0",
-            with_distance(Interval::contains),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::from_right("a plane need not pass through the origin", |right| {
                 new_shape(move |(_, n)| right(([0.0; 3], n)))
@@ -37,8 +34,9 @@ pub fn exercise() -> Exercise<Code> {
                 ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0]),
             ],
             on_surface: vec![[0.0, 1.0, 0.0], [3.0, 1.0, -4.0]],
-            least_step: 0.0,
             own_rays: vec![],
+            is_found_by_steps: false,
+            middle: |(a, _)| *a,
             any: |r| (r.triple(5.0), r.triple(5.0)),
         })
     }

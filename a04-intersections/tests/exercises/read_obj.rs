@@ -10,7 +10,7 @@ type Code = Arc<dyn Fn(&str) -> Result<Vec<Triangle>, String> + Send + Sync>;
 type Other = Variant<Code>;
 
 /// Lines after three corners.
-const LINES: [&str; 14] = [
+const LINES: [&str; 18] = [
     "",
     "f 1 2 3",
     "  f   1 2\t3  ",
@@ -25,6 +25,10 @@ const LINES: [&str; 14] = [
     "f -4 -2 -1",
     "f 1 2 x",
     "f 1 1 2",
+    "\n# x\nf 1 2 9",
+    "vn 1 2 3\nf -3 -2 -1",
+    "vt 1 2 3\nf -3 -2 -1",
+    "f 1 2 3\r",
 ];
 
 /// A house whose gables have five corners.
@@ -54,9 +58,6 @@ pub fn exercise() -> Exercise<Code> {
             };
             eye.show_shapes(house, settings)
         }),
-        right: vec![Other::from_right("another first corner", |right| {
-            Arc::new(move |text| begun_elsewhere(&right(text)?))
-        })],
         wrong: vec![
             Other::from_right("n corners make n - 2 triangles", |right| {
                 Arc::new(move |text| Ok(right(text)?.into_iter().take(1).collect()))
@@ -104,18 +105,6 @@ fn corner_points(triangle: &Triangle) -> Vec<[f64; 3]> {
         points.push(coordinates);
     }
     points
-}
-
-/// Triangles that begin at the second corner.
-fn begun_elsewhere(triangles: &[Triangle]) -> Result<Vec<Triangle>, String> {
-    let mut begun_elsewhere = Vec::new();
-    for triangle in triangles {
-        if let [a, b, c] = corner_points(triangle)[..] {
-            let rotated = Triangle::new(point(b), point(c), point(a));
-            begun_elsewhere.push(rotated.map_err(|error| error.to_string())?);
-        }
-    }
-    Ok(begun_elsewhere)
 }
 
 /// A random face among random corners, which are named in all ways.

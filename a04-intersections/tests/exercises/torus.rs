@@ -36,8 +36,9 @@ pub fn exercise() -> Exercise<Code> {
             first: (2.0, 0.75),
             further: vec![],
             on_surface: vec![],
-            least_step: 2e-4,
             own_rays: vec![],
+            is_found_by_steps: true,
+            middle: |(ring, _)| [*ring, 0.0, 0.0],
             any: |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
         })
     }

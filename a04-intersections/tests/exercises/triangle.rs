@@ -8,6 +8,8 @@ yours! { Triangle => new_shape(|[a, b, c]: [_; 3]| Triangle::new(point(a), point
 type Code = NewShape<[[f64; 3]; 3]>;
 type Other = Variant<Code>;
 
+const TINY: f64 = 1.0 / 1_073_741_824.0;
+
 pub fn exercise() -> Exercise<Code> {
     let corners = [[-0.5, 0.5, -3.0], [0.5, 0.5, -3.0], [0.5, -0.5, -3.0]];
     Exercise {
@@ -17,10 +19,7 @@ pub fn exercise() -> Exercise<Code> {
                 new([0, 3, 6].map(|i| [x[i], x[i + 1], x[i + 2]]))
             })
         }),
-        right: vec![Other::new(
-            "Möller and Trumbore",
-            moeller_trumbore(|b, g| b >= 0.0 && g >= 0.0 && b + g <= 1.0, 0.0),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "edges belong to the triangle",
@@ -42,6 +41,7 @@ pub fn exercise() -> Exercise<Code> {
             words: "triangle {}",
             first: [[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 2.0, 1.0]],
             further: vec![
+                [[-TINY, -TINY, 0.0], [TINY, -TINY, 0.0], [0.0, TINY, 0.0]],
                 // In the planes of two axes, and beside them.
                 [[0.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]],
                 [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0]],
@@ -49,8 +49,9 @@ pub fn exercise() -> Exercise<Code> {
                 [[-2.0, -1.0, -2.0], [2.0, -1.0, -2.0], [0.0, -1.0, 2.0]],
             ],
             on_surface: vec![[0.5, 0.5, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0]],
-            least_step: 0.0,
             own_rays: vec![],
+            is_found_by_steps: false,
+            middle: |[a, b, c]| [0, 1, 2].map(|k| (a[k] + b[k] + c[k]) / 3.0),
             any: |r| [(); 3].map(|()| r.triple(5.0)),
         })
     }

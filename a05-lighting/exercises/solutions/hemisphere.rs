@@ -17,7 +17,7 @@ pub fn hemisphere([diffuse, sky, ground]: [Color; 3], n: Normal3) -> Color {
 testing::examples! {
     let colors = [Color::gray(0.5), Color::BLUE, Color::RED];
     let color = |x, y| hemisphere(colors, Normal3::new(x, y, 0.0));
-    assert_eq!(color(0.0, 1.0), Color::BLUE * 0.5, "a floor sees the sky");
-    assert_eq!(color(0.0, -1.0), Color::RED * 0.5, "a ceiling sees the ground");
-    assert_eq!(color(1.0, 0.0), (Color::BLUE + Color::RED) * 0.25, "a wall sees half of each");
+    assert_close!(color(0.0, 1.0), Color::BLUE * 0.5, "a floor sees the sky");
+    assert_close!(color(0.0, -1.0), Color::RED * 0.5, "a ceiling sees the ground");
+    assert_close!(color(1.0, 0.0), (Color::BLUE + Color::RED) * 0.25, "a wall sees half of each");
 }

@@ -28,10 +28,10 @@ testing::examples! {
         let light = soft_spot(Color::RED, Point3::ORIGIN, down, [inner, outer], point);
         light.map(|light| light.color.channels()[0])
     };
-    assert_eq!(red(0.4, 1.2, 0.0, -3.0), Some(1.0), "in the middle");
+    assert_close!(red(0.4, 1.2, 0.0, -3.0), Some(1.0), "in the middle");
     let eighth = std::f64::consts::FRAC_PI_8;
     // At the angle π/4, with x = 1/2 and 1/3.
-    assert_close(red(eighth, 3.0 * eighth, 1.0, -1.0), Some(0.5));
-    assert_close(red(0.0, 3.0 * eighth, -1.0, -1.0), Some(7.0 / 27.0));
+    assert_close!(red(eighth, 3.0 * eighth, 1.0, -1.0), Some(0.5));
+    assert_close!(red(0.0, 3.0 * eighth, -1.0, -1.0), Some(7.0 / 27.0));
     assert_eq!(red(0.4, 1.2, 0.0, 3.0), None, "behind the lamp");
 }

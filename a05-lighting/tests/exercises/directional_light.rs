@@ -28,10 +28,7 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::scene("phong-directional", move |light, settings| {
             lit.rendered(light, settings)
         }),
-        right: vec![
-            Other::new("divided by the length", light_at(divided)),
-            Other::new("reversed and normalised", light_at(reversed)),
-        ],
+        right: vec![code!()],
         wrong: vec![Other::from_right(
             "a direction without a length leads nowhere",
             |right| {
@@ -60,20 +57,4 @@ pub fn exercise() -> Exercise<Code> {
             },
         }])
     }
-}
-
-fn divided((c, direction): ([f64; 3], [f64; 3]), _: Point3) -> Arriving {
-    let direction = vector(direction);
-    let mut light = directional_light(color(c), direction)?;
-    light.direction = direction * (-1.0 / direction.magnitude());
-    Some(light)
-}
-
-fn reversed((c, direction): ([f64; 3], [f64; 3]), _: Point3) -> Arriving {
-    let to_light = (-vector(direction)).normalized()?;
-    Some(Illumination {
-        color: color(c),
-        direction: to_light,
-        distance: f64::INFINITY,
-    })
 }

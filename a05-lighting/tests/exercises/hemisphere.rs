@@ -12,11 +12,17 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let day = [[1.0, 0.5, 0.25], [0.0, 0.5, 1.0], [0.5, 0.25, 0.0]];
-    let normals = [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]];
+    let normals = [
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 0.6, 0.8],
+        [0.0, -0.6, 0.8],
+    ];
     let surfaces = Questions {
         words: "diffuse, sky and ground {}, normal {}".into(),
         simple: normals.map(|n| (day, n)).to_vec(),
-        others: random(|r| ([(); 3].map(|()| channels(r)), r.triple(1.0))),
+        others: random(|r| ([(); 3].map(|()| channels(r)), array(unit(r.triple(1.0))))),
         answer: |hemisphere: &Code, (colors, n): ([_; 3], _)| {
             hemisphere(colors.map(color), unit(n).as_normal()).channels()
         },

@@ -21,10 +21,7 @@ pub fn exercise() -> Exercise<Code> {
                 lambert(diffuse.channels(), ray, hit, lights)
             })
         }),
-        right: vec![Other::new(
-            "the fraction first",
-            textbook(|cosine| cosine.max(0.0)),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new("no light is negative", textbook(|cosine| cosine)),
             Other::new(

@@ -9,10 +9,17 @@ mod prelude {
     pub use a05_kinds::material::*;
     pub use a05_kinds::prelude::*;
     pub use a05_kinds::seen::*;
-
-    pub use crate::solved::*;
 }
 
-include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
-
-exercises!();
+testing::exercises! {
+    a05_lighting::stage;
+    mod blinn_phong;
+    mod directional_light;
+    mod fading_light;
+    mod hemisphere;
+    mod lambert;
+    mod phong;
+    mod point_light;
+    mod soft_spot;
+    mod spot_light;
+}

@@ -30,10 +30,7 @@ pub fn exercise() -> Exercise<Code> {
                 phong((colors, 64.0), ray, hit, lights)
             })
         }),
-        right: vec![Other::new(
-            "the eye mirrored instead of the light",
-            textbook(right),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "light from behind has no highlight",

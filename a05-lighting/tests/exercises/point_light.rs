@@ -22,7 +22,7 @@ pub fn exercise() -> Exercise<Code> {
             lit.rendered(light, settings)
         }),
         drawing: drawing(three_lamps),
-        right: vec![Other::new("divided by the distance", light_at(divided))],
+        right: vec![code!()],
         wrong: vec![Other::from_right(
             "this lamp is as bright at every distance",
             |right| {
@@ -44,14 +44,6 @@ pub fn exercise() -> Exercise<Code> {
             any: |r| (channels(r), r.triple(5.0)),
         }])
     }
-}
-
-fn divided((c, lamp): ([f64; 3], [f64; 3]), p: Point3) -> Arriving {
-    let mut light = point_light(color(c), point(lamp), p)?;
-    let to_lamp = point(lamp) - p;
-    light.distance = to_lamp.magnitude();
-    light.direction = to_lamp * (1.0 / light.distance);
-    Some(light)
 }
 
 /// A white floor and a white ball in the light of a red, a green and a blue lamp. Around each lamp,

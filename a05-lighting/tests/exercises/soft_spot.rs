@@ -33,7 +33,7 @@ pub fn exercise() -> Exercise<Code> {
                 ((COLOR, LAMP, [0.0, -1e-18, 0.0], ANGLES), [0.0; 3]),
                 ((COLOR, LAMP, [0.0, -1e18, 0.0], ANGLES), [3.0, 0.0, 0.0]),
             ],
-            others: random(on_axis_of_spot),
+            others: at_borders(),
             any,
         }])
     }
@@ -45,10 +45,16 @@ fn any(r: &mut Random) -> Spot {
     (channels(r), r.triple(5.0), r.triple(5.0), angles)
 }
 
-fn on_axis_of_spot(r: &mut Random) -> (Spot, [f64; 3]) {
-    let spot = any(r);
-    let (_, lamp, direction, _) = spot;
-    (spot, on_axis(r, lamp, direction))
+/// Points on the axis, and just inside and outside of the angles.
+fn at_borders() -> Vec<(Spot, [f64; 3])> {
+    let (mut points, mut r) = (Vec::new(), Random::new(3));
+    for spot in random(any) {
+        let (_, lamp, direction, [inner, outer]) = spot;
+        let angles = [0.0, inner, outer * (1.0 - 1e-6), outer * (1.0 + 1e-6)];
+        let angle = angles[points.len() % 4];
+        points.push((spot, at_angle(&mut r, lamp, direction, angle)));
+    }
+    points
 }
 
 /// A spot whose rim fades in a straight line.

@@ -37,10 +37,7 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::scene("phong-spot", move |light, settings| {
             lit.rendered(light, settings)
         }),
-        right: vec![Other::new(
-            "angles",
-            textbook(angle, |angle, half| angle <= half),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "a wide cone shines behind the lamp, too",
@@ -63,7 +60,7 @@ pub fn exercise() -> Exercise<Code> {
             words: "light {} at {}, axis {}, half angle {}",
             first: ([1.0, 0.5, 0.25], LAMP, [0.0, -1.0, 0.0], half_angle),
             simple: vec![],
-            others: random(on_axis_of_cone),
+            others: at_borders(),
             any,
         }))
     }
@@ -71,13 +68,20 @@ pub fn exercise() -> Exercise<Code> {
 
 fn any(r: &mut Random) -> Cone {
     let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
-    (channels(r), lamp, axis, r.between(0.05, 3.1))
+    (channels(r), lamp, array(unit(axis)), r.between(0.05, 3.1))
 }
 
-fn on_axis_of_cone(r: &mut Random) -> (Cone, [f64; 3]) {
-    let cone = any(r);
-    let (_, lamp, axis, _) = cone;
-    (cone, on_axis(r, lamp, axis))
+/// Points on the axis, and just inside and outside of the cone.
+fn at_borders() -> Vec<(Cone, [f64; 3])> {
+    let (mut points, mut r) = (Vec::new(), Random::new(3));
+    for cone in random(any) {
+        let (_, lamp, axis, half_angle) = cone;
+        let factor = if points.len() % 4 == 0 { -1e-6 } else { 1e-6 };
+        for angle in [0.0, half_angle * (1.0 + factor)] {
+            points.push((cone, at_angle(&mut r, lamp, axis, angle)));
+        }
+    }
+    points
 }
 
 /// The angle of a cosine, which rounding may make greater than 1.

@@ -19,7 +19,7 @@ pub fn fogged(color: Color, fog: Color, density: f64, distance: f64) -> Color {
 
 testing::examples! {
     let foggy = |density, t| fogged(Color::RED, Color::BLUE, density, t).channels();
-    assert_eq!(foggy(1.0, 0.0), [1.0, 0.0, 0.0], "near by");
-    assert_close(foggy(std::f64::consts::LN_2, 1.0), [0.5, 0.0, 0.5]);
-    assert_eq!(foggy(1.0, f64::INFINITY), [0.0, 0.0, 1.0], "nothing but fog");
+    assert_close!(foggy(1.0, 0.0), [1.0, 0.0, 0.0], "near by");
+    assert_close!(foggy(std::f64::consts::LN_2, 1.0), [0.5, 0.0, 0.5]);
+    assert_close!(foggy(1.0, f64::INFINITY), [0.0, 0.0, 1.0], "nothing but fog");
 }

@@ -1,5 +1,7 @@
 //! Where the images of a lamp stand between two mirrors.
 
+use crate::prelude::*;
+
 /// The place of the lamp's image after `n` reflections, as it is seen in the
 /// left mirror at x = 0, and as it is seen in the right one at x = `width`.
 ///
@@ -12,7 +14,7 @@ pub fn images(width: f64, lamp: f64, n: u32) -> [f64; 2] {
 }
 
 testing::examples! {
-    assert_eq!(images(10.0, 3.0, 0), [3.0, 3.0], "the lamp itself");
-    assert_eq!(images(10.0, 3.0, 1), [-3.0, 17.0]);
-    assert_eq!(images(10.0, 3.0, 2), [-17.0, 23.0]);
+    assert_close!(images(10.0, 3.0, 0), [3.0, 3.0], "the lamp itself");
+    assert_close!(images(10.0, 3.0, 1), [-3.0, 17.0]);
+    assert_close!(images(10.0, 3.0, 2), [-17.0, 23.0]);
 }

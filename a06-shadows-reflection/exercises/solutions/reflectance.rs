@@ -25,8 +25,8 @@ pub fn reflectance(cos: f64, from: f64, to: f64) -> f64 {
 }
 
 testing::examples! {
-    assert_close(reflectance(1.0, 1.0, 1.5), 0.04);
-    assert_close(reflectance(0.6, 1.0, 4.0 / 3.0), 0.0392);
-    assert_eq!(reflectance(0.5, 2.0, 1.0), 1.0, "all is mirrored");
+    assert_close!(reflectance(1.0, 1.0, 1.5), 0.04);
+    assert_close!(reflectance(0.6, 1.0, 4.0 / 3.0), 0.0392);
+    assert_close!(reflectance(0.5, 2.0, 1.0), 1.0, "all is mirrored");
     assert!(reflectance(0.0, 1.5, 1.5).is_finite(), "a number, along equal indices");
 }

@@ -30,8 +30,8 @@ testing::examples! {
         let d = refracted(Vector3::new(x, y, 0.0), up, water)?;
         Some([d.x(), d.y()])
     };
-    assert_close(bent(0.0, -1.0), Some([0.0, -1.0]));
-    assert_close(bent(0.8, -0.6), Some([0.6, -0.8]));
-    assert_close(bent(0.6, 0.8), Some([0.8, 0.6]));
+    assert_close!(bent(0.0, -1.0), Some([0.0, -1.0]));
+    assert_close!(bent(0.8, -0.6), Some([0.6, -0.8]));
+    assert_close!(bent(0.6, 0.8), Some([0.8, 0.6]));
     assert_eq!(bent(0.8, 0.6), None, "all light is mirrored");
 }

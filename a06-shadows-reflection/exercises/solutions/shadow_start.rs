@@ -30,8 +30,8 @@ testing::examples! {
     let [left, right, up] = [[-0.6, 0.8, 0.0], [0.6, 0.8, 0.0], [0.0, 1.0, 0.0]]
         .map(|normal| vector(normal).as_normal());
     let start = |normals, weights| array(shadow_start(corners, normals, weights) - Point3::ORIGIN);
-    assert_close(start([up; 3], [0.5, 0.25, 0.25]), [-0.15, 0.8, -0.25]);
-    assert_close(start([left, right, up], [1.0, 0.0, 0.0]), [-0.6, 0.8, 0.0]);
-    assert_close(start([left, right, up], [0.5, 0.5, 0.0]), [0.0, 1.088, 0.0]);
-    assert_close(start([right, left, up], [0.5, 0.5, 0.0]), [0.0, 0.8, 0.0]);
+    assert_close!(start([up; 3], [0.5, 0.25, 0.25]), [-0.15, 0.8, -0.25]);
+    assert_close!(start([left, right, up], [1.0, 0.0, 0.0]), [-0.6, 0.8, 0.0]);
+    assert_close!(start([left, right, up], [0.5, 0.5, 0.0]), [0.0, 1.088, 0.0]);
+    assert_close!(start([right, left, up], [0.5, 0.5, 0.0]), [0.0, 0.8, 0.0]);
 }

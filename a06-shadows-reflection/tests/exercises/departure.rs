@@ -4,7 +4,7 @@ use crate::prelude::*;
 
 pub const SHAPES: [&str; 3] = ["plane", "sphere", "smooth triangle"];
 
-/// A ray that leaves a shape. Directions have any length.
+/// A ray that leaves a shape. Normal and direction have length 1.
 #[derive(Clone)]
 pub struct Departure {
     /// One of [`SHAPES`].
@@ -68,7 +68,7 @@ impl Departure {
             size: r.scale(),
             point: point.map(|x| x * from_origin),
             to_eye: array(to_eye),
-            direction: array(direction),
+            direction: array(unit(array(direction))),
         }
     }
 

@@ -51,10 +51,7 @@ pub fn exercise() -> Exercise<Code> {
                 trace(world, ray, depth)
             })
         }),
-        right: vec![Other::new(
-            "the recursion",
-            reflected(|ray, hit| (-ray.direction()).reflected_on(hit.normal)),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::from_right("the last surface mirrors black", |right| {
                 Arc::new(move |world, ray, depth| right(world, ray, depth + 1))
@@ -97,7 +94,7 @@ pub fn exercise() -> Exercise<Code> {
 }
 
 /// Rays between two mirrors that are near to each other or far, and bright or dark.
-fn between_two_mirrors() -> Group<Code> {
+fn between_two_mirrors() -> Vec<CodeQuestion<Code>> {
     let mut simple = Vec::new();
     for height in [1.0, 5e-7, 1e6] {
         for reflection in [[0.5, 0.25, 0.125], [0.1, 0.2, 0.05]] {

@@ -40,10 +40,6 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::own(|shadow_start: &Code, settings| {
             coarse_ball::picture(&**shadow_start, settings)
         }),
-        right: vec![Other::new(
-            "as the mean of three points",
-            Arc::new(mean_of_feet),
-        )],
         wrong: vec![
             Other::new(
                 "the curved surface lies above the triangle",
@@ -71,7 +67,7 @@ fn any(r: &mut Random) -> ([[f64; 3]; 3], [[f64; 3]; 3], [f64; 3]) {
     let size = r.scale();
     let corners = [(); 3].map(|()| r.triple(1.0).map(|x| x * size));
     let axis = r.triple(1.0);
-    let normals = [(); 3].map(|()| array(unit(axis) + vector(r.triple(0.4))));
+    let normals = [(); 3].map(|()| array(unit(array(unit(axis) + vector(r.triple(0.4))))));
     let beta = r.between(0.0, 1.0);
     let gamma = (1.0 - beta) * r.between(0.0, 1.0);
     (corners, normals, [1.0 - beta - gamma, beta, gamma])
@@ -80,17 +76,6 @@ fn any(r: &mut Random) -> ([[f64; 3]; 3], [[f64; 3]; 3], [f64; 3]) {
 /// The mean of three points by their weights.
 fn mean([a, b, c]: Corners, weights: [f64; 3]) -> Point3 {
     a + (b - a) * weights[1] + (c - a) * weights[2]
-}
-
-/// The mean of the feet of the point in the corners' planes.
-fn mean_of_feet(corners: Corners, normals: [Normal3; 3], weights: [f64; 3]) -> Point3 {
-    let p = mean(corners, weights);
-    let mut feet = [p; 3];
-    for corner in 0..3 {
-        let depth = (corners[corner] - p).dot(normals[corner]);
-        feet[corner] = p + Vector3::from(normals[corner]) * depth.max(0.0);
-    }
-    mean(feet, weights)
 }
 
 /// The start that rises from the depth below each corner's plane by another length.

@@ -21,7 +21,7 @@ testing::examples! {
         let bodies = orbits(year, month).unwrap();
         bodies.map(|body| (body.matrix() * Point3::ORIGIN).to_glam().to_array())
     };
-    assert_eq!(places(0.0, 0.0), [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
-    assert_close(places(0.0, FRAC_PI_2).concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);
-    assert_close(places(FRAC_PI_2, 0.0).concat(), vec![0.0, 0.0, -5.0, 0.0, 0.0, -6.0]);
+    assert_close!(places(0.0, 0.0), [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
+    assert_close!(places(0.0, FRAC_PI_2).concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);
+    assert_close!(places(FRAC_PI_2, 0.0).concat(), vec![0.0, 0.0, -5.0, 0.0, 0.0, -6.0]);
 }

@@ -24,8 +24,8 @@ testing::examples! {
     };
     let [x, y, z] = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
         .map(|(x, y, z)| Vector3::new(x, y, z));
-    assert_close(quarter(z, x), [0.0, 1.0, 0.0]);
-    assert_close(quarter(x, y), [0.0, 0.0, 1.0]);
-    assert_close(quarter(y * 2.0, z), [1.0, 0.0, 0.0]);
-    assert_close(quarter(-z, x), [0.0, -1.0, 0.0]);
+    assert_close!(quarter(z, x), [0.0, 1.0, 0.0]);
+    assert_close!(quarter(x, y), [0.0, 0.0, 1.0]);
+    assert_close!(quarter(y * 2.0, z), [1.0, 0.0, 0.0]);
+    assert_close!(quarter(-z, x), [0.0, -1.0, 0.0]);
 }

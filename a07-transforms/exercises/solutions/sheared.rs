@@ -42,9 +42,9 @@ testing::examples! {
     let wall = Plane::new(Point3::ORIGIN, Normal3::new(1.0, 0.0, 0.0)).unwrap();
     let leaning = Sheared::new(wall, 2.0);
     let hit = |y, dy| hit_from([5.0, y, 0.0], [-1.0, dy, 0.0], &leaning);
-    assert_eq!(hit(0.0, 0.0).map(|hit| hit.t), Some(5.0), "at height 0 nothing moves");
-    assert_eq!(hit(1.0, 0.0).map(|hit| hit.t), Some(3.0), "at height 1 it is nearer by 2");
-    assert_eq!(hit(0.0, 1.0).map(|hit| hit.t * 3.0), Some(5.0), "aslant");
+    assert_close!(hit(0.0, 0.0).map(|hit| hit.t), Some(5.0), "at height 0 nothing moves");
+    assert_close!(hit(1.0, 0.0).map(|hit| hit.t), Some(3.0), "at height 1 it is nearer by 2");
+    assert_close!(hit(0.0, 1.0).map(|hit| hit.t * 3.0), Some(5.0), "aslant");
     let n = hit(1.0, 0.0).unwrap().normal;
-    assert_close([2.0 * n.x(), -n.y()].map(|x| x * 5_f64.sqrt()), [2.0, 2.0]);
+    assert_close!([2.0 * n.x(), -n.y()].map(|x| x * 5_f64.sqrt()), [2.0, 2.0]);
 }

@@ -31,10 +31,7 @@ pub fn exercise() -> Exercise<Code> {
                 new(([x[0], x[1], x[2]], [x[3], x[4], x[5]], x[6]))
             })
         }),
-        right: vec![Other::new(
-            "the distance, not its square",
-            by_distance(|distance, r| distance <= r),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "the rim belongs to the disc",
@@ -53,8 +50,9 @@ pub fn exercise() -> Exercise<Code> {
                 ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 1.0),
             ],
             on_surface: vec![[0.0; 3], [1.0, 0.0, -1.0], [2.0, 0.0, 0.0]],
-            least_step: 0.0,
             own_rays: vec![],
+            is_found_by_steps: false,
+            middle: |(c, _, _)| *c,
             any: |r| (r.triple(3.0), r.triple(5.0), r.between(0.5, 4.0)),
         })
     }

@@ -39,10 +39,7 @@ pub fn exercise() -> Exercise<Code> {
             Ok(world.with(node, yellow()?))
         }),
         drawing: drawing(flower),
-        right: vec![Other::new(
-            "all hits, and then the first",
-            of_all_hits(RIGHT),
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "the nearest counts, not the first of the list",
@@ -91,8 +88,9 @@ pub fn exercise() -> Exercise<Code> {
                 [0.0, 0.5, 0.0],
                 [0.0, 0.0, 2.0],
             ],
-            least_step: 0.0,
             own_rays: vec![],
+            is_found_by_steps: false,
+            middle: |parts| array(transform(&parts.steps).matrix() * Point3::ORIGIN),
             any: |r| Parts {
                 steps: Step::random(r),
                 children: balls_and_triangle,

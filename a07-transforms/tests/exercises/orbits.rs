@@ -50,6 +50,9 @@ pub fn exercise() -> Exercise<Code> {
                     Ok([earth, moon])
                 })
             }),
+            Other::from_right("the angles are in radians, not in degrees", |right| {
+                Arc::new(move |year, month| right(year.to_radians(), month.to_radians()))
+            }),
             Other::from_right("the month is seen by the turned earth", |right| {
                 Arc::new(move |year, month| right(year, month - year))
             }),

@@ -38,8 +38,9 @@ pub fn exercise() -> Exercise<Code> {
                 ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5, 2.0),
             ],
             on_surface: vec![[2.0, 0.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 1.0]],
-            least_step: 0.0,
             own_rays: vec![],
+            is_found_by_steps: false,
+            middle: |(c, _, _, _)| *c,
             any: |r| {
                 let (hole, width) = (r.between(0.5, 2.0), r.between(0.5, 2.0));
                 (r.triple(3.0), r.triple(5.0), hole, hole + width)

@@ -16,6 +16,8 @@ pub fn exercise() -> Exercise<Code> {
             ([0.0, 0.0, 1.0], 1.0),
             ([1.0, 0.0, 0.0], 1.0),
             ([0.0, -2.0, 0.0], 1.0),
+            ([0.0, 0.0, -2.0], 1.0),
+            ([0.0, 0.0, 0.0], 1.0),
         ],
         others: random(|r| (r.triple(5.0), r.between(-9.0, 9.0))),
         answer: |rotation: &Code, (axis, angle)| {

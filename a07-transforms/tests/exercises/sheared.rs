@@ -39,7 +39,12 @@ impl Input for Upright {
     fn for_each_number(&mut self, _: &mut dyn FnMut(&mut f64)) {}
 
     fn words(&self) -> Vec<String> {
-        vec![(*self == Self::Ball).to_string()]
+        let words = if *self == Self::Ball {
+            "a ball"
+        } else {
+            "a triangle"
+        };
+        vec![words.to_owned()]
     }
 }
 
@@ -67,12 +72,13 @@ pub fn exercise() -> Exercise<Code> {
             ),
         ],
         ..shapes(Shapes {
-            words: "a shape (a ball: {}) sheared by {}",
+            words: "{} sheared by {}",
             first: (Upright::Ball, 0.5),
             further: vec![(Upright::Triangle, 0.5)],
             on_surface: vec![[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.5, 1.0, 0.0]],
-            least_step: 0.0,
             own_rays: vec![],
+            is_found_by_steps: false,
+            middle: |_| [0.0; 3],
             any: |r| {
                 let upright = [Upright::Ball, Upright::Triangle][r.below(2) as usize];
                 (upright, r.between(-3.0, 3.0))

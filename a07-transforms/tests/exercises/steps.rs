@@ -60,7 +60,14 @@ impl Input for Step {
     }
 
     fn words(&self) -> Vec<String> {
-        vec![format!("{self:?}")]
+        vec![match self {
+            Self::Translate(by) => format!("translate by {}", by.words().concat()),
+            Self::Scale(by) => format!("scale by {}", by.words().concat()),
+            Self::Rotate(axis, angle) => {
+                let axis = ["x", "y", "z"][*axis];
+                format!("rotate about {axis} by {}", angle.words().concat())
+            }
+        }]
     }
 }
 

@@ -38,6 +38,11 @@ pub fn exercise() -> Exercise<Code> {
         simple: vec![
             (vec![Step::Translate([2.0, 0.0, 0.0])], [o, d, n]),
             (vec![Step::Scale([2.0; 3])], [o, d, n]),
+            (vec![Step::Scale([2.0, 1.0, 1.0])], [[1.0; 3], d, n]),
+            (vec![Step::Scale([-1.0, 1.0, 1.0])], [[1.0; 3], d, n]),
+            (vec![Step::Scale([1e12; 3])], [o, d, n]),
+            (vec![Step::Scale([1e-12; 3])], [o, d, n]),
+            (vec![], [o, d, [0.0; 3]]),
         ],
         others: random(|r| (Step::random(r), [(); 3].map(|()| r.triple(5.0)))),
         answer: |code: &Code, (steps, [o, d, n]): (Vec<Step>, [_; 3])| {
@@ -56,13 +61,7 @@ pub fn exercise() -> Exercise<Code> {
             let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
             Ok(world.with(ellipsoid(*code)?, Box::new(material)))
         }),
-        right: vec![Other::new(
-            "a direction between two points",
-            Code {
-                ray_to_object: between_points,
-                normal_from_object: by_columns,
-            },
-        )],
+        right: vec![code!()],
         wrong: vec![
             Other::from_right("the inverse leads to the object", |right| Code {
                 ray_to_object: forward,
@@ -113,18 +112,6 @@ fn ellipsoid(code: Code) -> Made<impl Geometry> {
 
 fn unit(v: Vector3) -> Option<Normal3> {
     v.normalized().map(Vector3::as_normal)
-}
-
-fn between_points(t: &Transform, ray: &Ray) -> Ray {
-    let [from, to] = [0.0, 1.0].map(|at| t.inverse() * ray.at(at));
-    Ray::derived(from, to - from)
-}
-
-/// The columns of the transposed inverse are the rows of the inverse.
-fn by_columns(t: &Transform, n: Normal3) -> Option<Normal3> {
-    let [x, y, z, _] = t.inverse().rows();
-    let [x, y, z] = [x, y, z].map(|[x, y, z, _]| Vector3::new(x, y, z));
-    unit(x * n.x() + y * n.y() + z * n.z())
 }
 
 fn forward(t: &Transform, ray: &Ray) -> Ray {

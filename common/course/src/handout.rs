@@ -114,15 +114,11 @@ fn paths(above: &[Exercise]) -> Result<Vec<String>, String> {
     Ok(paths.split_terminator('\0').map(str::to_owned).collect())
 }
 
-/// Leaves out the folders of solutions. The starters of their exercises come into the folder of
-/// starters without a solution, whose checks are not proved.
+/// Replaces solutions that are no lessons by their starters, which are not proved.
 fn withhold_solutions(workbook: &mut Workbook, chosen: &[Exercise]) -> Result<(), String> {
-    for e in chosen {
-        let path = |folder| format!("{}/exercises/{folder}/{}.rs", e.stage, e.name);
-        if workbook.remove(&path("solutions")).is_some() {
-            workbook.remove(&path("starters"));
-            workbook.insert(path(files::OPEN), files::starter(e)?.into());
-        }
+    for e in chosen.iter().filter(|e| !e.is_core) {
+        let path = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
+        workbook.insert(path, files::starter(e)?.into());
     }
     Ok(())
 }
@@ -164,12 +160,9 @@ mod tests {
         };
         let contents = handout.workbook(course).unwrap();
         for e in course.iter().filter(|e| !e.is_core) {
-            let path = |folder| format!("{}/exercises/{folder}/{}.rs", e.stage, e.name);
-            assert!(!contents.contains_key(&path("solutions")), "{}", e.name);
-            assert_eq!(
-                contents[&path(files::OPEN)],
-                files::starter(e).unwrap().into_bytes()
-            );
+            let path = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
+            let starter = files::starter(e).unwrap();
+            assert_eq!(contents[&path], starter.into_bytes(), "{}", e.name);
         }
         assert!(
             contents

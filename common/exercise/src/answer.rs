@@ -104,6 +104,14 @@ impl Answer {
     pub(crate) fn difference(&self, yours: &Self, allowed: &[f64]) -> Option<String> {
         let differ = |[right, yours]: [String; 2]| format!("must be {right}; yours is {yours}");
         if !self.has_same_form(yours) {
+            let mut pairs = self.parts.iter().zip(&yours.parts);
+            if let Some((right, yours)) = pairs.find(|(a, b)| !a.has_same_form(b))
+                && right.name == yours.name
+                && !right.name.is_empty()
+            {
+                let values = [right, yours].map(|part| part.value.in_words(shown));
+                return Some(format!("{} {}", right.name, differ(values)));
+            }
             let all = |answer: &Self| {
                 let parts = answer.parts.iter().map(Part::with_name);
                 parts.collect::<Vec<_>>().join(", ")
@@ -194,8 +202,32 @@ impl<T: Into<Self>> From<Option<T>> for Answer {
 /// Panics with the difference if there is one.
 #[track_caller]
 pub fn assert_close(yours: impl Into<Answer>, right: impl Into<Answer>) {
+    assert_close_about("an example", yours, right);
+}
+
+/// As [`assert_close`], with words about the example.
+///
+/// # Panics
+///
+/// Panics with the words and the difference if there is one.
+#[track_caller]
+pub fn assert_close_about(about: &str, yours: impl Into<Answer>, right: impl Into<Answer>) {
     let (yours, right) = (yours.into(), right.into());
     let allowed = right.numbers().map(|(_, largest)| largest.max(1e-3) * 1e-9);
     let difference = right.difference(&yours, &allowed.collect::<Vec<_>>());
-    assert!(difference.is_none(), "{}", difference.unwrap_or_default());
+    if let Some(difference) = difference {
+        panic!("{about}: {difference}");
+    }
+}
+
+/// An assertion of an example, with words about it or without: `assert_close!(1.0 + 1.0, 2.0, "a sum")`.
+/// Formulas may round its numbers differently.
+#[macro_export]
+macro_rules! assert_close {
+    ($yours:expr, $right:expr $(,)?) => {
+        $crate::assert_close($yours, $right)
+    };
+    ($yours:expr, $right:expr, $about:expr $(,)?) => {
+        $crate::assert_close_about($about, $yours, $right)
+    };
 }

@@ -1,6 +1,6 @@
 //! `Input`: the arguments of a question, whose numbers can be moved and shown.
 
-use common::Sampling;
+use common::{Color, Sampling};
 
 /// An argument of the code that is asked, or a tuple of all arguments.
 pub trait Input: Clone {
@@ -34,6 +34,18 @@ impl Input for f64 {
 
     fn words(&self) -> Vec<String> {
         vec![shown(*self)]
+    }
+}
+
+impl Input for Color {
+    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
+        for channel in [&mut self.r, &mut self.g, &mut self.b] {
+            f(channel);
+        }
+    }
+
+    fn words(&self) -> Vec<String> {
+        self.channels().words()
     }
 }
 

@@ -2,12 +2,11 @@
 //!
 //! A [`Question`] is a value: words, numbers, and whether they are simple. The lesson or the
 //! solution of an exercise answers all its questions; these answers, with how far another right
-//! answer may be from them, are its [`Record`], a text file beside the starters. A student's
+//! answer may be from them, are its [`Record`], a text file beside the solutions. A student's
 //! program answers the same questions, and [`verdict`] compares: it is the only comparison of
 //! `cargo learn`, of the grader, of the tests and of the book's pages, and none of them needs a
 //! solution for it.
 
-mod alike;
 mod answer;
 mod input;
 mod mistake;
@@ -19,8 +18,7 @@ mod student_output;
 mod text;
 mod verdict;
 
-pub use alike::answer_alike;
-pub use answer::{Answer, assert_close};
+pub use answer::{Answer, assert_close, assert_close_about};
 pub use input::Input;
 pub use mistake::Mistake;
 pub use picture::{compare_picture, expected_picture, pictured};

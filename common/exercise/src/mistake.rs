@@ -7,7 +7,7 @@ use crate::{Answer, Question};
 
 /// The most answers of a mistake that are recorded; of the others it is known that they are
 /// wrong.
-const MOST: usize = 20;
+const MOST: usize = 4;
 
 /// A mistake of learners, and how code that makes it answers the questions of an exercise. Its
 /// answers are the right ones in the rows that nothing is said about.

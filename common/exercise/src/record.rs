@@ -1,8 +1,7 @@
 //! `Record`: the right answers of an exercise and those of known mistakes, in a text file.
 //!
-//! A line begins with the word that says what it is. `picture` names the scene of the stage that the
-//! code paints. `found` has numbers that a search for
-//! questions has found with the right code. `?` has the words of a simple question. `=` has the
+//! A line begins with the word that says what it is. `lacks` says what goes wrong in formulas that are
+//! right but for rounding. `picture` names the scene of the stage that the code paints. `=` has the
 //! right answer to the next question, and after `~` how far its numbers may move, beside their own
 //! rounding: nothing where they must not, and `rounding decides` where every answer is right. In an
 //! exercise about rounding, a second `~` has the same for formulas that are right but for rounding.
@@ -12,7 +11,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use crate::{Answer, Mistake, Question, Row, Tolerance, text};
+use crate::{Answer, Mistake, Row, Tolerance, text};
 
 /// Right answers and known mistakes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,8 +21,6 @@ pub struct Record {
     pub rounding_flaw: Option<String>,
     /// The scene of the stage that the code paints, if it paints one.
     pub picture: Option<String>,
-    /// The numbers that each search for questions has found.
-    pub found: Vec<Vec<f64>>,
     /// The right answers.
     pub rows: Vec<Row>,
     /// The known mistakes.
@@ -38,13 +35,7 @@ impl fmt::Display for Record {
         if let Some(scene) = &self.picture {
             writeln!(f, "picture {scene}")?;
         }
-        for found in &self.found {
-            writeln!(f, "found {}", text::numbers(found))?;
-        }
         for row in &self.rows {
-            if row.question.is_simple {
-                writeln!(f, "? {}", row.question.text)?;
-            }
             write!(f, "= {}", text::answer(&row.answer))?;
             write_tolerance(f, &row.tolerance, row.usual_tolerance.is_some())?;
             if let Some(tolerance) = &row.usual_tolerance {
@@ -89,34 +80,23 @@ impl Record {
     /// The record of a text. The error is the first line that is no line of a record.
     pub fn read(text: &str) -> Result<Self, String> {
         let mut record = Self::default();
-        let mut question = None;
         for (number, line) in (1..).zip(text.lines()) {
             record
-                .read_line(line, &mut question)
+                .read_line(line)
                 .ok_or_else(|| format!("line {number} is no line of a record: {line}"))?;
         }
         Ok(record)
     }
 
-    /// Reads the next line. The words of a question wait for its answer.
-    fn read_line(&mut self, line: &str, question: &mut Option<Question>) -> Option<()> {
+    fn read_line(&mut self, line: &str) -> Option<()> {
         let (word, mut rest) = line.split_once(' ')?;
         match word {
             "lacks" => self.rounding_flaw = Some(rest.to_owned()),
             "picture" => self.picture = Some(rest.to_owned()),
-            "found" => self.found.push(text::read_numbers(rest).ok()?),
-            "?" => {
-                *question = Some(Question {
-                    text: rest.to_owned(),
-                    is_simple: true,
-                    ..Question::default()
-                });
-            }
             "=" => {
                 let answer = text::take_answer(&mut rest)?;
                 let tolerance = read_tolerance(&mut rest, &answer);
                 self.rows.push(Row {
-                    question: question.take().unwrap_or_default(),
                     answer,
                     tolerance,
                     usual_tolerance: text::take_tolerance(&mut rest),
@@ -180,28 +160,18 @@ mod tests {
         let answer = Answer::named("a · b", hard)
             .and("again", hard)
             .and("", words);
-        let row = |question, tolerance| Row {
-            question,
+        let row = |tolerance| Row {
             answer: answer.clone(),
             tolerance,
             usual_tolerance: None,
         };
-        let simple = Question {
-            text: "ray from [0, 0] = ?".to_owned(),
-            is_simple: true,
-            ..Question::default()
-        };
         let record = Record {
             rounding_flaw: Some("loses digits".to_owned()),
             picture: Some("scene-2".to_owned()),
-            found: vec![hard.to_vec(), Vec::new()],
             rows: vec![
-                row(simple, Tolerance::Changes(vec![0.0; 10])),
-                row(Question::default(), Tolerance::RoundingDecides),
-                row(
-                    Question::default(),
-                    Tolerance::Changes([hard, hard].concat()),
-                ),
+                row(Tolerance::Changes(vec![0.0; 10])),
+                row(Tolerance::RoundingDecides),
+                row(Tolerance::Changes([hard, hard].concat())),
             ],
             mistakes: vec![Mistake {
                 overlooks: "a = b; 1 ~ 2".to_owned(),

@@ -90,11 +90,9 @@ fn rounded(change: f64) -> f64 {
     format!("{change:.2e}").parse().unwrap_or(change)
 }
 
-/// A question, and its right answer.
+/// The right answer to a question.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The words of a simple question; of another one they may be empty.
-    pub question: Question,
     /// The right answer.
     pub answer: Answer,
     /// How far another right answer may be from it.
@@ -105,15 +103,15 @@ pub struct Row {
 }
 
 impl Row {
-    /// The row of a right answer, which code gives, in an exercise that is about rounding or
-    /// not.
+    /// The row of the right answer to a question, which code gives, in an exercise that is about
+    /// rounding or not.
     pub fn new(
-        question: Question,
+        question: &Question,
         is_about_rounding: bool,
         code: &dyn Fn(&[f64]) -> Answer,
     ) -> Self {
         let answer = code(&question.input);
-        let tolerance = |precision| Tolerance::at(&question, &answer, precision, code);
+        let tolerance = |precision| Tolerance::at(question, &answer, precision, code);
         let (tolerance, usual_tolerance) = if is_about_rounding {
             let usual = tolerance(Precision::Usual);
             (tolerance(Precision::Rounding), Some(usual))
@@ -121,7 +119,6 @@ impl Row {
             (tolerance(Precision::Usual), None)
         };
         Self {
-            question,
             answer,
             tolerance,
             usual_tolerance,

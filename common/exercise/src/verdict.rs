@@ -82,7 +82,7 @@ pub fn verdict(
         if let Finding::Wrong(difference) = finding {
             is_wrong = true;
             counts.wrong += 1;
-            let text = given.map_or(&row.question.text, |given| &given.question.text);
+            let text = given.map_or("the next question", |given| &given.question.text);
             let panics = given.is_some() && answer.is_none();
             if panics && first_panic.is_none() {
                 // The input of the first difference stands above it.
@@ -168,10 +168,10 @@ impl PictureVerdict {
     /// show what is wrong.
     #[must_use]
     pub fn beside_wrong_answers(&self) -> String {
-        self.with_divergence(if self.is_right {
-            format!("{} does not show it", self.name)
-        } else {
-            self.comparison()
+        self.with_divergence(match (self.is_right, &self.divergence) {
+            (true, None) => format!("{} does not show it", self.name),
+            (true, Some(_)) => format!("{} has the right colours", self.name),
+            (false, _) => self.comparison(),
         })
     }
 

@@ -8,9 +8,6 @@ use common::text;
 
 use crate::exercise::Exercise;
 
-/// The folder of starters whose solution is not in the workbook.
-pub const OPEN: &str = "open";
-
 /// The folder of the workbook, of which `cargo run` knows the newest place.
 #[must_use]
 pub fn workspace() -> PathBuf {
@@ -72,19 +69,14 @@ pub(crate) fn saved(exercise: &Exercise) -> Saved {
     Some((file.modified().ok()?, file.len()))
 }
 
-/// The text of the starter: a file of its own, which may be without a solution, or the solution
-/// without its code.
+/// The text of the starter: the solution without its code. In a workbook without solutions, such a
+/// file is a starter already.
 pub fn starter(exercise: &Exercise) -> Result<String, String> {
-    let (stage, name) = (exercise.stage, exercise.name);
-    for folder in ["starters", OPEN] {
-        let file = shortest(&format!("{stage}/exercises/{folder}/{name}.rs"));
-        if file.is_file() {
-            return fs::read_to_string(&file).map_err(with_path(&file));
-        }
-    }
-    let solution = read(&format!("{stage}/exercises/solutions/{name}.rs"))?;
-    without_code(&solution)
-        .map_err(|error| format!("{stage}/exercises/solutions/{name}.rs: {error}"))
+    let file = format!(
+        "{}/exercises/solutions/{}.rs",
+        exercise.stage, exercise.name
+    );
+    without_code(&read(&file)?).map_err(|error| format!("{file}: {error}"))
 }
 
 /// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})` of the

@@ -1,4 +1,5 @@
-//! `program`: writes a program outside of the workbook, with the student's functions in it.
+//! `program`: writes a program outside of the workbook, with the student's functions in it and, until
+//! they are done, those of the solutions.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,11 +11,16 @@ use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
 
-/// The program with the lesson's functions, which the tests of its stage compile.
-const TEMPLATE: &str = "a07-transforms/examples/own_program";
-
-/// The folder in it that has a file for each function, under the name of the exercise.
-const FUNCTIONS: &str = "functions";
+/// The files of the program without its functions, which are in the files of exercises.
+const FILES: [(&str, &str); 7] = [
+    ("functions", include_str!("../program/src/functions.rs")),
+    ("lights", include_str!("../program/src/lights.rs")),
+    ("main", include_str!("../program/src/main.rs")),
+    ("materials", include_str!("../program/src/materials.rs")),
+    ("mesh", include_str!("../program/src/mesh.rs")),
+    ("prelude", include_str!("../program/src/prelude.rs")),
+    ("transform", include_str!("../program/src/transform.rs")),
+];
 
 /// The manifest, with `{workbook}` instead of its folder, and the names of two libraries in braces
 /// instead of their lines in the workbook's manifest.
@@ -41,13 +47,9 @@ impl Program {
                 "{shown} is there already, and is left as it is; a program needs a new folder"
             ));
         }
-        let functions = template(FUNCTIONS)?;
         let progress = Progress::read();
         let (mut yours, mut others) = (Files::new(), Vec::new());
-        for e in course {
-            if !functions.contains_key(e.name) {
-                continue;
-            }
+        for e in course.iter().filter(|e| functions().contains(&e.name)) {
             if progress.is_done(e) {
                 let path = files::yours(e);
                 let text = fs::read_to_string(&path).map_err(with_path(&path))?;
@@ -73,7 +75,7 @@ impl Program {
         )];
         if !others.is_empty() {
             let names = others.join(", ");
-            lines.push(format!("not done, and so the lesson's: {names}"));
+            lines.push(format!("not done, and so the workbook's: {names}"));
         }
         lines.push(format!(
             "begin with {}",
@@ -89,42 +91,43 @@ impl Program {
     }
 }
 
-/// The files of the program with these functions of the student instead of the lesson's.
+/// The exercises whose functions the program calls.
+fn functions() -> Vec<&'static str> {
+    let (_, functions) = FILES[0];
+    let names = functions
+        .lines()
+        .filter_map(|line| line.strip_prefix("pub mod "));
+    names.map(|name| name.trim_end_matches(';')).collect()
+}
+
+/// The files of the program with these functions of the student instead of the workbook's.
 fn program(yours: &Files) -> Result<Files, String> {
     let mut program = Files::new();
-    for (name, text) in template("")? {
-        program.insert(format!("src/{name}.rs"), text);
+    for (name, text) in FILES {
+        program.insert(format!("src/{name}.rs"), text.to_owned());
     }
-    for (name, lesson) in template(FUNCTIONS)? {
-        let text = match yours.get(&name) {
+    for name in functions() {
+        let text = match yours.get(name) {
             Some(text) => without_examples(text),
-            None => lesson,
+            None => {
+                let Ok(e) = crate::exercise::find(name) else {
+                    return Err(
+                        "the program needs all stages, and this workbook lacks some".to_owned()
+                    );
+                };
+                without_examples(&files::read(&format!(
+                    "{}/exercises/solutions/{name}.rs",
+                    e.stage
+                ))?)
+            }
         };
-        program.insert(format!("src/{FUNCTIONS}/{name}.rs"), text);
+        program.insert(format!("src/functions/{name}.rs"), text);
     }
     program.insert("Cargo.toml".to_owned(), manifest()?);
     // The same versions of all libraries, which are there without a network.
     program.insert("Cargo.lock".to_owned(), files::read("Cargo.lock")?);
     program.insert(".gitignore".to_owned(), "/target\n".to_owned());
     Ok(program)
-}
-
-/// The Rust files in a folder of the template, by their names without `.rs`.
-fn template(folder: &str) -> Result<Files, String> {
-    let folder = files::shortest(TEMPLATE).join(folder);
-    let Ok(entries) = fs::read_dir(&folder) else {
-        return Err("the program needs all stages, and this workbook lacks some".to_owned());
-    };
-    let mut found = Files::new();
-    for entry in entries.flatten() {
-        let file = entry.file_name();
-        if let Some(name) = file.to_str().and_then(|file| file.strip_suffix(".rs")) {
-            let path = entry.path();
-            let text = fs::read_to_string(&path).map_err(with_path(&path))?;
-            found.insert(name.to_owned(), text);
-        }
-    }
-    Ok(found)
 }
 
 /// A student's file without the examples, which need the check.
@@ -178,7 +181,7 @@ mod tests {
 
     /// A handout may lack the stages above.
     fn is_whole() -> bool {
-        let is_whole = files::shortest(TEMPLATE).is_dir();
+        let is_whole = crate::exercise::find("disc").is_ok();
         if !is_whole {
             eprintln!("skipped: this workbook lacks the stage of the program");
         }
@@ -191,8 +194,8 @@ mod tests {
         if !is_whole() {
             return;
         }
-        for name in template(FUNCTIONS).unwrap().into_keys() {
-            let e = crate::exercise::find(&name).unwrap();
+        for name in functions() {
+            let e = crate::exercise::find(name).unwrap();
             assert!(e.is_core, "{name}");
         }
     }

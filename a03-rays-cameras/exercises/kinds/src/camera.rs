@@ -53,8 +53,8 @@ pub struct Cameras<P> {
     pub section: &'static str,
 }
 
-/// Asks the first camera at simple positions of a picture of 5 by 3 pixels, and of pictures that
-/// have a single row or column; the further ones; and then any one; and the mistakes that all
+/// Asks the first camera at simple positions of a picture of 5 by 3 pixels, of pictures with even
+/// sides, and of pictures that have a single row or column; the further ones; and then any one; and the mistakes that all
 /// cameras may have.
 pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercise<NewCamera<P>> {
     let Cameras {
@@ -69,6 +69,9 @@ pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercis
         simple.push((first.clone(), [5, 3], position));
     }
     for (size, position) in [
+        ([4, 2], [1.5, 0.5]),
+        ([4, 2], [3.0, 0.0]),
+        ([2, 4], [0.0, 3.0]),
         ([5, 1], [2.0, 0.0]),
         ([5, 1], [4.0, 0.0]),
         ([1, 3], [0.0, 1.0]),

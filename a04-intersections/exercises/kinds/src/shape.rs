@@ -1,17 +1,16 @@
 //! Asks shapes, ray by ray.
 
 use std::fmt;
-use std::rc::Rc;
 use std::sync::Arc;
 
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Triangle};
 use testing::exercises::{
-    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, random, searched,
+    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, random,
 };
 
-use crate::rays::{self, Found, RAY, RayWithin, ray_within};
+use crate::rays::{self, RAY, RayWithin, ray_within};
 
 /// A shape of any type.
 pub type Shape = Box<dyn Geometry>;
@@ -66,22 +65,26 @@ pub fn hit_answer(hit: Option<Hit>) -> Answer {
     })
 }
 
-/// The words for the parts of a ray in [`ends_answer`].
-const ENDS: &str = "one that ends at the hit and one that begins there";
+/// The words for the parts of a ray in [`parts_answer`].
+const PARTS: &str = "the parts of it before and behind the hit";
 
-/// Whether a shape has hits at the ends of intervals, which do not belong to them: in the two
-/// parts of an interval before and after the shape's own hit, whichever `t` its formula finds.
+/// The hits in the parts of an interval before and behind the shape's own hit, whichever `t` its
+/// formula finds. The ends do not belong to an interval.
 #[must_use]
-fn ends_answer(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Answer {
+fn parts_answer(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Answer {
     let Some(Hit { t, .. }) = shape.hit(ray, within) else {
         return Answer::words("no hit");
     };
-    let before = shape.hit(ray, Interval { max: t, ..within });
-    let after = shape.hit(ray, Interval { min: t, ..within });
-    let ends_with_hit = before.is_some_and(|hit| hit.t >= t);
-    let begins_with_hit = after.is_some_and(|hit| hit.t <= t);
+    let part = |min, max| shape.hit(ray, Interval { min, max }).map(|hit| hit.t);
+    let ends_with_hit = part(within.min, t).is_some_and(|end| end >= t);
+    let begins_with_hit = part(t, within.max).is_some_and(|end| end <= t);
     Answer::named("the part that ends there", end_answer(ends_with_hit))
         .and("the part that begins there", end_answer(begins_with_hit))
+        .and("the part that ends before, t", part(within.min, t * 0.999))
+        .and(
+            "the part from just behind, t",
+            part(t * (1.0 + 1e-6), within.max),
+        )
 }
 
 fn end_answer(has_hit: bool) -> Answer {
@@ -118,23 +121,33 @@ pub struct Shapes<P> {
     /// Points exactly on the first shape. Of a shape whose hits are found by steps, none: there
     /// rounding decides whether a ray from its surface hits it.
     pub on_surface: Vec<[f64; 3]>,
-    /// A distance within which right code may pass over a hit behind the start of an interval,
-    /// because it finds hits by steps; 0 if a formula finds them.
-    pub least_step: f64,
     /// Rays of round numbers to the first shape, beside those to all shapes.
     pub own_rays: Vec<RayWithin>,
+    /// Whether hits are found by steps: right code may pass over a border.
+    pub is_found_by_steps: bool,
+    /// A point near which a shape of these parameters is.
+    pub middle: fn(&P) -> [f64; 3],
     /// Random parameters.
     pub any: fn(&mut Random) -> P,
 }
 
-impl<P: Input> Shapes<P> {
-    /// The first shape, and eight others.
-    fn all(&self) -> Vec<P> {
-        let mut all = vec![self.first.clone()];
-        all.extend(random(self.any).into_iter().take(8));
-        all
-    }
+/// How many random shapes are asked, beside the first one.
+const RANDOM: usize = 5;
 
+/// How many times random rays are asked of a shape.
+const TIMES: usize = 5;
+
+/// Asks the first shape with simple rays, and some random ones; and the mistakes that all shapes may
+/// have.
+pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<NewShape<P>> {
+    Exercise {
+        questions: shapes.questions(),
+        usual: usual_mistakes(),
+        ..Exercise::default()
+    }
+}
+
+impl<P: Input + 'static> Shapes<P> {
     /// Simple rays: to the first shape, from its surface, and to the further shapes.
     fn simple(&self) -> Vec<(P, RayWithin)> {
         let mut simple = Vec::new();
@@ -151,80 +164,54 @@ impl<P: Input> Shapes<P> {
         }
         simple
     }
-}
 
-/// Asks the first shape with simple rays, and all with rays from everywhere; and the mistakes that
-/// all shapes may have.
-pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<NewShape<P>> {
-    let shapes = Rc::new(shapes);
-    let asked = shapes.clone();
-    Exercise {
-        questions: vec![searched(
-            move |new| shapes.find(new),
-            move |numbers| asked.ask(numbers),
-        )],
-        usual: usual_mistakes(),
-        ..Exercise::default()
-    }
-}
-
-impl<P: Input + 'static> Shapes<P> {
-    /// Finds rays that hit the shapes: for each, the number of the shape and those of the hit.
-    fn find(&self, new: &NewShape<P>) -> Vec<f64> {
-        let mut numbers = Vec::new();
-        for (index, parameters) in self.all().into_iter().enumerate() {
-            let Ok(shape) = new(parameters) else {
-                continue;
-            };
-            for found in Found::search(&*shape) {
-                numbers.push(index as f64);
-                numbers.extend(found.numbers());
+    fn questions(self) -> Vec<Vec<CodeQuestion<NewShape<P>>>> {
+        let Self { words, middle, .. } = self;
+        let (mut random_rays, mut borders) = (Vec::new(), Vec::new());
+        let mut r = Random::new(2);
+        let mut shapes = vec![self.first.clone()];
+        shapes.extend(random(self.any).into_iter().take(RANDOM));
+        for shape in shapes {
+            for _ in 0..TIMES {
+                for ray in rays::around(middle(&shape), &mut r) {
+                    random_rays.push((shape.clone(), ray));
+                }
+                borders.push((shape.clone(), rays::across(middle(&shape), &mut r)));
             }
         }
-        numbers
-    }
-
-    fn ask(&self, numbers: &[f64]) -> Vec<CodeQuestion<NewShape<P>>> {
         let simple = self.simple();
         let hits = Questions {
-            words: format!("{}; {RAY}", self.words),
+            words: format!("{words}; {RAY}"),
             simple: simple.clone(),
-            others: self.others(numbers),
+            others: random_rays.clone(),
             answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
                 let (ray, within) = ray_within(ray);
                 Some(hit_answer(new(parameters).ok()?.hit(&ray, within)))
             },
         };
-        let at_ends = Questions {
-            words: format!("{}; {RAY}, and two parts of it, {ENDS}", self.words),
-            simple,
-            others: vec![],
+        let parts = Questions {
+            words: format!("{words}; {RAY}, and {PARTS}"),
+            simple: simple.into_iter().step_by(3).take(40).collect(),
+            others: random_rays.into_iter().step_by(3).collect(),
             answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
                 let (ray, within) = ray_within(ray);
-                Some(ends_answer(&*new(parameters).ok()?, &ray, within))
+                Some(parts_answer(&*new(parameters).ok()?, &ray, within))
             },
         };
-        let mut questions = hits.asked();
-        questions.extend(at_ends.asked());
-        questions
-    }
-
-    /// Rays from everywhere to each shape, by the numbers that a search has found.
-    fn others(&self, numbers: &[f64]) -> Vec<(P, RayWithin)> {
-        let (hits, _) = numbers.as_chunks::<4>();
-        let mut others = Vec::new();
-        for (index, parameters) in self.all().into_iter().enumerate() {
-            let mut found = Vec::new();
-            for [shape, attempt, t, border] in hits {
-                if *shape as usize == index {
-                    found.push(Found::of_numbers([*attempt, *t, *border]));
-                }
-            }
-            for ray in rays::from_everywhere(&found, self.least_step) {
-                others.push((parameters.clone(), ray));
-            }
+        if self.is_found_by_steps {
+            borders.clear();
         }
-        others
+        let borders = Questions {
+            words: format!(
+                "{words}; where it ends, seen from the first of {{}} along the way between the others"
+            ),
+            simple: vec![],
+            others: borders,
+            answer: |new: &NewShape<P>, (parameters, way)| {
+                Some(rays::border(&*new(parameters).ok()?, way))
+            },
+        };
+        vec![hits.into(), parts.into(), borders.into()]
     }
 }
 
@@ -300,8 +287,9 @@ pub fn boxes() -> Shapes<Corners> {
         first: ([-1.5; 3], [1.5; 3]),
         further: vec![],
         on_surface: vec![[1.5, 0.0, 0.0], [0.5, -1.5, 0.25], [-0.5, 0.5, 1.5]],
-        least_step: 0.0,
         own_rays: within_faces(),
+        is_found_by_steps: false,
+        middle: |(lbf, run)| [0, 1, 2].map(|k| f64::midpoint(lbf[k], run[k])),
         any: |r| {
             let lbf = r.triple(5.0);
             (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
@@ -329,6 +317,11 @@ fn within_faces() -> Vec<RayWithin> {
                     origin,
                     direction.map(|x| if x == 0.0 { -0.0 } else { x }),
                 ));
+                // Past an edge, which it touches.
+                let (mut outside, mut past) = ([0.25; 3], [0.0; 3]);
+                (outside[axis], outside[along]) = (2.0 * face, 0.0);
+                (past[axis], past[along]) = (-face, face * sign);
+                within.push(rays::ahead(outside, past));
                 // Along an edge, aslant in the face, and beside the box.
                 origin[across] = face;
                 within.push(rays::ahead(origin, direction));

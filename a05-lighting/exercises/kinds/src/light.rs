@@ -1,14 +1,12 @@
-//! Asks lights, point by point: from before and from behind, in them, far away, and just inside
-//! and outside of a border.
+//! Asks lights, point by point: from before and from behind, in them, very near and far away.
 
-use std::array;
 use std::sync::Arc;
 
 use a02_math::Point3;
-use a02_math::arrays::{array, point};
+use a02_math::arrays::{array, point, vector};
 use a05_lighting::Illumination;
 use testing::exercises::{
-    Answer, CodeQuestion, Exercise, Group, Input, Questions, Random, Variant, random, searched,
+    Answer, CodeQuestion, Exercise, Input, Questions, Random, Variant, random,
 };
 
 use crate::numbers::unit;
@@ -27,8 +25,15 @@ pub fn light_at<P>(light: impl Fn(P, Point3) -> Arriving + Send + Sync + 'static
 /// Where the lights are whose parameters are simple.
 pub const LAMP: [f64; 3] = [0.0, 4.0, 0.0];
 
-/// Below the lamp, aslant, and in it.
-const POINTS: [[f64; 3]; 3] = [[0.0, 2.0, 0.0], [3.0, 0.0, 0.0], LAMP];
+/// Below the lamp, aslant, in it, above it, and very near to it, below and beside it.
+const POINTS: [[f64; 3]; 6] = [
+    [0.0, 2.0, 0.0],
+    [3.0, 0.0, 0.0],
+    LAMP,
+    [0.0, 6.0, 0.0],
+    [0.0, 4.0 - 1.0 / 65_536.0, 0.0],
+    [1e-9, 4.0, 0.0],
+];
 
 /// Lights of some parameters.
 pub struct Lights<P> {
@@ -81,30 +86,18 @@ fn mistake<P: 'static>(
 }
 
 impl<P: Input + 'static> Lights<P> {
-    fn questions(self) -> Group<LightAt<P>> {
-        let any = self.any;
-        searched(
-            move |light| find_borders(light, any),
-            move |found| self.ask(found),
-        )
-    }
-
-    fn ask(&self, borders: &[f64]) -> Vec<CodeQuestion<LightAt<P>>> {
-        let (points, _) = borders.as_chunks::<3>();
-        let (borders, _) = points.as_chunks::<3>();
+    fn questions(self) -> Vec<CodeQuestion<LightAt<P>>> {
         let mut simple = Vec::new();
         for p in POINTS {
             simple.push((self.first.clone(), p));
         }
-        simple.extend(self.simple.clone());
-        let mut others = Vec::new();
-        for (light, [p, near_side, far_side]) in random(self.any).iter().zip(borders) {
-            let far_away = p.map(|x| 1e6 * x);
-            for p in [*p, far_away, *near_side, *far_side] {
-                others.push((light.clone(), p));
-            }
+        simple.extend(self.simple);
+        let mut others = self.others;
+        let mut places = Random::new(2);
+        for light in random(self.any) {
+            let scale = [1.0, 1.0, 1e-6, 1e6][places.below(4) as usize];
+            others.push((light, places.triple(9.0).map(|x| x * scale)));
         }
-        others.extend(self.others.clone());
         let questions = Questions {
             words: format!("{}, seen from {{}}", self.words),
             simple,
@@ -113,36 +106,17 @@ impl<P: Input + 'static> Lights<P> {
                 light_answer(light(parameters, point(p)))
             },
         };
-        questions.asked()
+        questions.into()
     }
 }
 
-/// Finds, for each random light, three points: a random one, and both sides of a border between
-/// light and darkness. Where there is none between two random points, both sides are at the
-/// second one.
-fn find_borders<P: Input>(light: &LightAt<P>, any: fn(&mut Random) -> P) -> Vec<f64> {
-    let mut places = Random::new(2);
-    let mut numbers = Vec::new();
-    for parameters in random(any) {
-        let is_lit = |p: [f64; 3]| light(parameters.clone(), point(p)).is_some();
-        let [p, other] = [places.triple(9.0), places.triple(9.0)];
-        let (mut near_side, mut far_side) = (p, other);
-        for _ in 0..20 {
-            let middle = array::from_fn(|i| f64::midpoint(near_side[i], far_side[i]));
-            if is_lit(middle) == is_lit(p) {
-                near_side = middle;
-            } else {
-                far_side = middle;
-            }
-        }
-        numbers.extend([p, near_side, far_side].as_flattened());
-    }
-    numbers
-}
-
-/// A random point on the axis of a spot.
-pub fn on_axis(random: &mut Random, lamp: [f64; 3], axis: [f64; 3]) -> [f64; 3] {
-    array(point(lamp) + unit(axis) * random.between(0.1, 9.0))
+/// A random point that a lamp sees at this angle from its axis.
+pub fn at_angle(random: &mut Random, lamp: [f64; 3], axis: [f64; 3], angle: f64) -> [f64; 3] {
+    let axis = unit(axis);
+    let side = unit(array(axis.cross(vector(random.triple(1.0)))));
+    let (sine, cosine) = libm::sincos(angle);
+    let way = (axis * cosine + side * sine) * random.between(0.1, 9.0);
+    array(point(lamp) + way)
 }
 
 /// Light as an answer.

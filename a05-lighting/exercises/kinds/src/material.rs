@@ -7,7 +7,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use a05_lighting::{Illumination, Lighting};
 use common::Color;
-use testing::exercises::{Exercise, Group, Input, Questions, Random, Variant, random};
+use testing::exercises::{CodeQuestion, Exercise, Input, Questions, Random, Variant, random};
 
 use crate::seen::{ReceivedLight, SEEN, Seen};
 
@@ -108,7 +108,7 @@ fn mistake<P: 'static>(
 }
 
 impl<P: Input + 'static> Materials<P> {
-    fn questions(self) -> Group<Shading<P>> {
+    fn questions(self) -> Vec<CodeQuestion<Shading<P>>> {
         let Self { words, first, any } = self;
         let questions = Questions {
             words: format!("{words}, {SEEN}"),

@@ -2,7 +2,7 @@
 //! normals aslant to the geometric normal, from all distances.
 
 use a02_math::arrays::{array, vector};
-use a02_math::{Direction, Point3};
+use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use a05_lighting::{Illumination, Lighting};
@@ -15,7 +15,7 @@ use crate::numbers::{channels, color, unit};
 pub const SEEN: &str = "eye towards {} at the distance {}, normal and geometric normal {}, ambient light {}, \
     colours of lights and where they are {}";
 
-/// A surface at the origin that an eye sees. Directions have any length.
+/// A surface at the origin that an eye sees. Directions have length 1.
 #[derive(Clone)]
 pub struct Seen {
     /// The direction to the eye.
@@ -52,10 +52,11 @@ impl Input for Seen {
 }
 
 impl Seen {
-    /// An eye above and light from there, aslant, from behind, none but ambient light, and
-    /// a normal aslant to the geometric normal, and two lights beside ambient light.
+    /// An eye above and light from there, aslant, from behind, none but ambient light,
+    /// a normal aslant to the geometric normal, light along the surface, two lights of which one is
+    /// behind, and two lights beside ambient light.
     #[must_use]
-    pub fn simple() -> [Self; 6] {
+    pub fn simple() -> [Self; 8] {
         let (up, pink) = ([0.0, 1.0, 0.0], [1.0, 0.5, 0.5]);
         let from_above = Self {
             to_eye: up,
@@ -67,11 +68,11 @@ impl Seen {
         [
             from_above.clone(),
             Self {
-                lights: vec![[pink, [3.0, 4.0, 0.0]]],
+                lights: vec![[pink, [0.6, 0.8, 0.0]]],
                 ..from_above.clone()
             },
             Self {
-                lights: vec![[pink, [3.0, -4.0, 0.0]]],
+                lights: vec![[pink, [0.6, -0.8, 0.0]]],
                 ..from_above.clone()
             },
             Self {
@@ -80,12 +81,24 @@ impl Seen {
                 ..from_above.clone()
             },
             Self {
-                normals: [[3.0, 4.0, 0.0], up],
+                normals: [[0.6, 0.8, 0.0], up],
+                ..from_above.clone()
+            },
+            Self {
+                lights: vec![[pink, [1.0, 0.0, 0.0]]],
+                ..from_above.clone()
+            },
+            Self {
+                to_eye: [0.0, 0.8, 0.6],
+                lights: vec![
+                    [pink, [0.0, 0.8, -0.6]],
+                    [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]],
+                ],
                 ..from_above.clone()
             },
             Self {
                 ambient: [0.25; 3],
-                lights: vec![[pink, up], [[0.0, 0.0, 1.0], [3.0, 4.0, 0.0]]],
+                lights: vec![[pink, up], [[0.0, 0.0, 1.0], [0.6, 0.8, 0.0]]],
                 ..from_above
             },
         ]
@@ -97,11 +110,11 @@ impl Seen {
         let geometric_normal = normal + bend * 0.4;
         let height = 1e-6 * random.between(-1.0, 1.0);
         let grazing = normal.cross(light) + normal * height;
-        let lights = [light, grazing].map(|light| [channels(random), array(light)]);
+        let lights = [light, grazing].map(|light| [channels(random), direction(light)]);
         Self {
-            to_eye: array(eye * eye.dot(geometric_normal).signum()),
+            to_eye: direction(eye * eye.dot(geometric_normal).signum()),
             distance: random.scale(),
-            normals: [normal, geometric_normal].map(array),
+            normals: [normal, geometric_normal].map(direction),
             ambient: channels(random),
             lights: lights.to_vec(),
         }
@@ -138,6 +151,11 @@ impl Seen {
             lights: lights.collect(),
         }
     }
+}
+
+/// A direction of length 1, as code gets it.
+fn direction(any: Vector3) -> [f64; 3] {
+    array(unit(array(any)))
 }
 
 /// The light that every hit receives.

@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use common::{Error, Image};
 use page::{Answer, pixels, settings};
 
+use super::exercise::{Exercise, Picture, own_settings};
 use super::folder::StageFolder;
-use super::kind::{Exercise, Picture, own_settings};
 
 /// Paints the picture of this name, with the settings as numbers; none if it is another one than
 /// the exercise's.

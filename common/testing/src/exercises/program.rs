@@ -1,5 +1,6 @@
 //! `Program`: an exercise with code that answers its questions and paints its picture.
 
+use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 
@@ -11,8 +12,9 @@ use exercise::{
     verdict,
 };
 
+use super::assertion::is_rounding;
+use super::exercise::{CodeQuestion, Exercise, Picture, Render, own_settings};
 use super::folder::StageFolder;
-use super::kind::{CodeQuestion, Exercise, Group, Picture, Render, own_settings};
 use super::{Missing, found_missing};
 
 /// The answer to a question with other numbers.
@@ -20,7 +22,7 @@ type AnswerTo = Box<dyn Fn(&[f64]) -> Answer>;
 
 /// Code that answers the questions of an exercise, with its type erased.
 pub struct Program {
-    pub questions: Vec<Question>,
+    questions: Vec<Question>,
     answers: Vec<AnswerTo>,
     picture: Picture<()>,
     drawing: Option<Render<()>>,
@@ -52,21 +54,14 @@ pub enum Reader {
 }
 
 impl Program {
-    /// The program of an exercise with this code, and the numbers that its searches have found.
-    pub fn new<C: 'static>(exercise: Exercise<C>, code: C, found: &[Vec<f64>]) -> Self {
+    /// The program of an exercise with this code.
+    pub fn new<C: 'static>(exercise: Exercise<C>, code: C) -> Self {
         let code = Rc::new(code);
         let (mut questions, mut answers) = (Vec::new(), Vec::<AnswerTo>::new());
-        let mut found = found.iter();
-        for group in exercise.questions {
-            let asked = match group {
-                Group::Known(asked) => asked,
-                Group::Searched(search) => (search.ask)(found.next().map_or(&[], Vec::as_slice)),
-            };
-            for CodeQuestion { question, answer } in asked {
-                let code = code.clone();
-                questions.push(question);
-                answers.push(Box::new(move |input| answer(&code, input)));
-            }
+        for CodeQuestion { question, answer } in exercise.questions.into_iter().flatten() {
+            let code = code.clone();
+            questions.push(question);
+            answers.push(Box::new(move |input| answer(&code, input)));
         }
         let drawing = exercise.drawing.map(|render| -> Render<()> {
             let code = code.clone();
@@ -96,23 +91,24 @@ impl Program {
         }
     }
 
-    /// The answer to a question with these numbers.
-    pub fn answer(&self, number: usize, input: &[f64]) -> Answer {
-        self.answers[number](input)
-    }
-
     /// The rows of its answers, which are right.
     pub fn rows(&self, is_about_rounding: bool) -> Vec<Row> {
         let rows = self.questions.iter().zip(&self.answers);
-        let rows =
-            rows.map(|(question, answer)| Row::new(question.clone(), is_about_rounding, answer));
+        let rows = rows.map(|(question, answer)| Row::new(question, is_about_rounding, answer));
         rows.collect()
     }
 
     /// Its answers, as those of code with a mistake.
     pub fn mistake(&self, overlooks: &str, rows: &[Row]) -> Mistake {
-        let code = |number, input: &[f64]| self.answer(number, input);
+        let code = |number: usize, input: &[f64]| self.answers[number](input);
         Mistake::new(overlooks, rows, &self.questions, &code)
+    }
+
+    /// Whether a part of its code is missing.
+    pub fn is_unfinished(&self) -> bool {
+        found_missing().clear();
+        self.given();
+        !found_missing().is_empty()
     }
 
     /// Its answers to all questions.
@@ -135,7 +131,7 @@ impl Program {
     ) -> Findings {
         found_missing().clear();
         let mut wrong = Vec::new();
-        if catch_unwind(examples).is_err() {
+        if catch_unwind(examples).is_err_and(|panic| !is_rounding(&message(&*panic))) {
             let fails = "an example at the end of the file fails, with the message above";
             wrong.push(fails.to_owned());
         }
@@ -192,7 +188,7 @@ impl Program {
     }
 
     /// Draws for a learner, also unfinished code, and the right code for its author.
-    fn draw(&self, is_right: bool, reader: Reader) -> Option<Image> {
+    pub fn draw(&self, is_right: bool, reader: Reader) -> Option<Image> {
         let render = self.drawing.as_ref()?;
         let is_seen = match reader {
             Reader::Student => true,
@@ -241,6 +237,12 @@ impl Program {
         }
         Ok(pictured)
     }
+}
+
+/// The message of a panic.
+fn message(panic: &(dyn Any + Send)) -> String {
+    let words = panic.downcast_ref::<String>().cloned();
+    words.unwrap_or_else(|| panic.downcast_ref().copied().unwrap_or("").to_owned())
 }
 
 /// A picture that could not be painted.

@@ -1,379 +1,244 @@
-//! `prove`: proves the exercises of a stage by starters, solutions and variants, and locks the
+//! `prove`: proves the exercises of a stage by starters, solutions and mistakes, and locks the
 //! recorded answers.
 
+use std::error::Error;
 use std::process::ExitCode;
-use std::sync::{Arc, RwLock};
+use std::sync::RwLock;
 use std::{env, fs, panic};
 
 use common::difference::compare_with_file;
 use common::{Transfer, picture_file};
 use exercise::{Record, compare_picture};
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::{Arguments, Trial};
 
+use super::exercise::{Exercise, Variant};
 use super::folder::StageFolder;
-use super::kind::{Exercise, Group, Variant};
 use super::program::{Findings, Program, Reader};
 
 /// Starters write into one list of missing parts, and so run alone.
 static WITH_STARTER: RwLock<()> = RwLock::new(());
 
-/// An exercise, and the codes by which it is proved.
+type Proof = Result<(), Box<dyn Error>>;
+
+/// The codes of type `C` by which an exercise is proved.
+pub struct Codes<C> {
+    /// The exercise.
+    pub exercise: fn() -> Exercise<C>,
+    /// The code of the solution.
+    pub solution: fn() -> C,
+    /// The examples of the solution.
+    pub examples: fn(),
+    /// The code of the starter.
+    pub starter: fn() -> C,
+}
+
+/// An exercise, and how it is proved.
 pub struct Entry {
     name: &'static str,
-    codes: Box<dyn Codes>,
+    prove: Box<dyn Fn(&Author) -> Proof + Send + Sync>,
 }
 
-/// The codes of an exercise.
-trait Codes: Send + Sync {
-    /// The starter and its examples.
-    fn starter(&self, found: &[Vec<f64>]) -> (Program, fn());
-
-    /// The solution, and the starter's examples.
-    fn solution(&self, found: &[Vec<f64>]) -> (Program, fn());
-
-    /// Right solutions in another style.
-    fn right(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
-
-    /// The usual mistakes of its kind.
-    fn common_mistakes(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
-
-    /// Further mistakes.
-    fn wrong(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
-
-    /// The record of the solution's answers, and of those of the mistakes.
-    fn record(&self) -> Record;
-}
-
-/// The codes of an exercise of one type.
-struct TypedExercise<C> {
-    exercise: fn() -> Exercise<C>,
-    starter: fn() -> C,
-    starter_examples: fn(),
-    solution: fn() -> C,
-    solution_examples: fn(),
-}
-
-/// An exercise with its starter and its solution, and the examples of the starter with either.
-pub fn entry<C: 'static>(
-    name: &'static str,
-    exercise: fn() -> Exercise<C>,
-    starter: fn() -> C,
-    starter_examples: fn(),
-    solution: fn() -> C,
-    solution_examples: fn(),
-) -> Entry {
-    let codes = Box::new(TypedExercise {
-        exercise,
-        starter,
-        starter_examples,
-        solution,
-        solution_examples,
-    });
-    Entry { name, codes }
-}
-
-/// The lines of an exercise's first hint in the right order.
-pub struct Hint {
-    name: &'static str,
-    program: Box<dyn Fn(&Record) -> Program + Send + Sync>,
-}
-
-/// The hint of an exercise with this code.
-pub fn hint<C: 'static>(
-    name: &'static str,
-    exercise: fn() -> Exercise<C>,
-    code: fn() -> C,
-) -> Hint {
-    let program = move |record: &Record| Program::new(exercise(), code(), &record.found);
-    Hint {
-        name,
-        program: Box::new(program),
+impl Entry {
+    /// The exercise of this name.
+    pub fn new<C: 'static>(name: &'static str, codes: Codes<C>) -> Self {
+        let prove = Box::new(move |author: &Author| codes.prove(name, author));
+        Self { name, prove }
     }
 }
 
-impl<C: 'static> TypedExercise<C> {
-    fn variants(
-        &self,
-        variants: Vec<Variant<C>>,
-        found: &[Vec<f64>],
-    ) -> Vec<(&'static str, Program)> {
-        let variants = variants.into_iter().map(|variant| {
-            let code = (variant.make)((self.solution)());
-            (variant.about, Program::new((self.exercise)(), code, found))
-        });
-        variants.collect()
-    }
-}
-
-impl<C: 'static> Codes for TypedExercise<C> {
-    fn starter(&self, found: &[Vec<f64>]) -> (Program, fn()) {
-        let program = Program::new((self.exercise)(), (self.starter)(), found);
-        (program, self.starter_examples)
-    }
-
-    fn solution(&self, found: &[Vec<f64>]) -> (Program, fn()) {
-        let program = Program::new((self.exercise)(), (self.solution)(), found);
-        (program, self.solution_examples)
-    }
-
-    fn right(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
-        self.variants((self.exercise)().right, found)
-    }
-
-    fn common_mistakes(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
-        self.variants((self.exercise)().usual, found)
-    }
-
-    fn wrong(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
-        self.variants((self.exercise)().wrong, found)
-    }
-
-    fn record(&self) -> Record {
-        let exercise = (self.exercise)();
-        let rounding_flaw = exercise.rounding_flaw;
-        let solution = (self.solution)();
-        let searches = exercise.questions.iter().filter_map(|group| match group {
-            Group::Searched(search) => Some((search.find)(&solution)),
-            Group::Known(_) => None,
-        });
-        let found: Vec<_> = searches.collect();
-        let program = Program::new(exercise, solution, &found);
-        let picture = program.scene().map(str::to_owned);
-        let rows = program.rows(rounding_flaw.is_some());
-        let mistakes = self
-            .common_mistakes(&found)
-            .into_iter()
-            .chain(self.wrong(&found));
-        let mistakes = mistakes.map(|(about, program)| program.mistake(about, &rows));
-        let mistakes = mistakes.collect();
-        Record {
-            rounding_flaw: rounding_flaw.map(str::to_owned),
-            picture,
-            found,
-            rows,
-            mistakes,
-        }
-    }
-}
-
-/// What the trials of an exercise share.
-struct Proof {
-    entry: Entry,
+/// The author, who proves exercises.
+#[derive(Clone, Copy)]
+struct Author {
     folder: StageFolder,
-    record: Result<Record, String>,
+    /// Whether messages about mistakes are printed, and pictures saved.
     is_shown: bool,
+    /// Whether the answers are recorded anew.
+    records: bool,
 }
 
-/// Proves that starters are to do, that examples hold for the solutions, that right variants are
-/// accepted and mistakes refused and recognised, that the lines of hints are right, and that the
-/// recorded answers are those of the solutions.
+/// Proves that starters are to do, that examples hold for the solutions, that right code is
+/// accepted and mistakes are refused and recognised, and that the recorded answers are those of the
+/// solutions. A solution in which something is missing, as in a workbook for students, is not
+/// proved.
 ///
 /// The arguments are those of every test. With a part of a name, the messages about
 /// mistakes are printed, and the pictures of the solutions are saved, with the drawings of starters
 /// and mistakes, which should show what is wrong. With `always` in the
 /// variable `INSTA_UPDATE` of the environment, the answers are recorded anew.
 #[must_use]
-pub fn prove(folder: &StageFolder, entries: Vec<Entry>, hints: Vec<Hint>) -> ExitCode {
+pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
     let arguments = Arguments::from_args();
-    let is_shown = arguments.filter.is_some();
-    if env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
-        let filter = arguments.filter.as_deref().unwrap_or_default();
-        let is_chosen = |entry: &&Entry| format!("{}::", entry.name).contains(filter);
-        for entry in entries.iter().filter(is_chosen) {
-            if let Err(problem) = update(folder, entry) {
-                eprintln!("{}: {problem}", entry.name);
-                return ExitCode::FAILURE;
-            }
-        }
-    }
+    let author = Author {
+        folder: *folder,
+        is_shown: arguments.filter.is_some(),
+        records: env::var("INSTA_UPDATE").is_ok_and(|update| update == "always"),
+    };
     panic::set_hook(Box::new(move |panic| {
-        if is_shown {
+        if author.is_shown {
             println!("{panic}");
         }
     }));
-    // Starters come first, so that they do not wait for others to end.
-    let (mut starters, mut trials) = (Vec::new(), Vec::new());
+    let mut trials = Vec::new();
     for entry in entries {
-        let proof = Arc::new(Proof {
-            record: folder.record(entry.name),
-            entry,
-            folder: *folder,
-            is_shown,
-        });
-        starters.push(proof.trial("starter", Proof::starter));
-        trials.push(proof.trial("answers", Proof::answers));
-        trials.push(proof.trial("solution", Proof::solution));
-        let codes = &proof.entry.codes;
-        for (index, (about, _)) in codes.right(&[]).into_iter().enumerate() {
-            let prove = move |proof: &Proof, record: &Record| proof.right(record, index);
-            trials.push(proof.trial(&format!("right: {about}"), prove));
-        }
-        for (index, (about, _)) in codes.wrong(&[]).into_iter().enumerate() {
-            let prove = move |proof: &Proof, record: &Record| proof.wrong(record, index);
-            trials.push(proof.trial(&format!("wrong: {about}"), prove));
-        }
+        let prove = move || (entry.prove)(&author).map_err(Into::into);
+        trials.push(Trial::test(entry.name, prove));
     }
-    starters.extend(trials);
-    for hint in hints {
-        let (folder, name) = (*folder, hint.name);
-        let prove = move || accept_hint(&hint, &folder);
-        starters.push(Trial::test(format!("{name}::hint"), prove));
-    }
-    libtest_mimic::run(&arguments, starters).exit_code()
+    libtest_mimic::run(&arguments, trials).exit_code()
 }
 
-/// Fails if the lines of a hint, in the right order, are no right solution.
-fn accept_hint(hint: &Hint, folder: &StageFolder) -> Result<(), Failed> {
-    let _together = WITH_STARTER.read();
-    let record = folder.record(hint.name)?;
-    let found = (hint.program)(&record).run(|| (), &record, folder, Reader::Author);
-    let is_right = found.verdict.wrong.is_empty() && found.missing.is_empty();
-    is_right
-        .then_some(())
-        .ok_or(found.verdict.wrong.join("\n").into())
-}
-
-/// Records the answers of an exercise.
-fn update(folder: &StageFolder, entry: &Entry) -> std::io::Result<()> {
-    let file = folder.record_file(entry.name);
-    file.parent().map_or(Ok(()), fs::create_dir_all)?;
-    let record = entry.codes.record();
-    fs::write(file, record.to_string())?;
-    if let Some(scene) = record.picture
-        && let Some((file, image)) = folder.recorded_picture(&scene).map_err(other)?
-    {
-        let bytes = image.to_rgb8(Transfer::Linear);
-        picture_file::save_png(&file, image.size(), &bytes).map_err(other)?;
-    }
-    Ok(())
-}
-
-fn other(error: common::Error) -> std::io::Error {
-    std::io::Error::other(error)
-}
-
-impl Proof {
-    /// A trial that needs the record.
-    fn trial(
-        self: &Arc<Self>,
-        about: &str,
-        prove: impl FnOnce(&Self, &Record) -> Result<(), Failed> + Send + 'static,
-    ) -> Trial {
-        let proof = self.clone();
-        Trial::test(format!("{}::{about}", proof.entry.name), move || {
-            prove(&proof, proof.record.as_ref()?)
-        })
+impl<C: 'static> Codes<C> {
+    fn program(&self, code: C) -> Program {
+        Program::new((self.exercise)(), code)
     }
 
-    fn run(&self, record: &Record, program: &Program, examples: fn()) -> Findings {
-        let reader = if self.is_shown {
-            Reader::Student
-        } else {
-            Reader::Author
-        };
-        program.run(examples, record, &self.folder, reader)
+    /// The mistakes, each with what it overlooks.
+    fn mistakes(&self) -> Vec<(&'static str, Program)> {
+        let Exercise { usual, wrong, .. } = (self.exercise)();
+        let program =
+            |Variant { overlooks, make }| (overlooks, self.program(make((self.solution)())));
+        usual.into_iter().chain(wrong).map(program).collect()
     }
 
-    /// Saves what code draws that is wrong or unfinished, if the author looks at this exercise.
-    fn save_drawing(&self, found: &Findings, about: &str) {
-        if let Some(drawing) = found.drawing.as_ref().filter(|_| self.is_shown) {
-            let words = about.replace(|letter: char| !letter.is_alphanumeric(), "-");
-            let name = format!("{}-{words}.png", self.entry.name);
-            println!("{}", self.folder.save(drawing, &name));
-        }
-    }
-
-    fn starter(&self, record: &Record) -> Result<(), Failed> {
-        let _alone = WITH_STARTER.write();
-        let (starter, examples) = self.entry.codes.starter(&record.found);
-        let found = self.run(record, &starter, examples);
-        self.save_drawing(&found, "unfinished");
-        let is_to_do = !found.missing.is_empty();
-        is_to_do.then_some(()).ok_or("nothing is missing".into())
-    }
-
-    /// Fails if the recorded answers are not those of the solution and of the mistakes.
-    fn answers(&self, record: &Record) -> Result<(), Failed> {
-        let _together = WITH_STARTER.read();
-        if let Some(scene) = &record.picture
-            && let Some((file, image)) = self.folder.recorded_picture(scene)?
+    fn prove(&self, name: &str, author: &Author) -> Proof {
+        let folder = &author.folder;
+        let solution = self.program((self.solution)());
         {
-            compare_with_file(&file, &image)?;
+            let _alone = WITH_STARTER.write();
+            if solution.is_unfinished() {
+                return Ok(());
+            }
+            let starter = self.program((self.starter)());
+            if !starter.is_unfinished() {
+                return Err("nothing is missing in the starter".into());
+            }
+            author.save_drawing(&starter.draw(true, author.reader()), name, "unfinished");
         }
-        let printed = self.entry.codes.record().to_string();
-        let recorded = record.to_string();
-        let mut lines = (1..).zip(recorded.lines().zip(printed.lines()));
-        let Some((line, (old, new))) = lines.find(|(_, (old, new))| old != new) else {
-            let is_equal = recorded == printed;
-            return is_equal
-                .then_some(())
-                .ok_or("the record is incomplete".into());
-        };
-        Err(format!(
-            "line {line} of the recorded answers is\n  {old}\nand would be\n  {new}\n\
-             if it is right, record it: INSTA_UPDATE=always"
-        )
-        .into())
-    }
-
-    fn solution(&self, record: &Record) -> Result<(), Failed> {
         let _together = WITH_STARTER.read();
-        let codes = &self.entry.codes;
-        let (solution, examples) = codes.solution(&record.found);
-        let found = self.run(record, &solution, examples);
-        let (stage, name) = (self.folder.stage().name, self.entry.name.replace('_', "-"));
-        self.accept(&found, Some(&format!("{stage}-exercise-{name}.png")))?;
-        if record.mistakes.len() < 3 {
+        let mistakes = self.mistakes();
+        if mistakes.len() < 3 {
             return Err("there are less than three mistakes".into());
         }
-        for (about, program) in codes.common_mistakes(&record.found) {
-            self.refuse(about, &self.run(record, &program, || ()))?;
+        let record = self.record(&solution, &mistakes);
+        author.compare(name, &record)?;
+
+        let found = solution.run(self.examples, &record, folder, author.reader());
+        accept("the solution", &found)?;
+        author.compare_picture(name, &found)?;
+        for code in (self.exercise)().right {
+            accept(
+                "the lesson",
+                &self
+                    .program(code)
+                    .run(|| (), &record, folder, Reader::Author),
+            )?;
+        }
+        for (overlooks, program) in mistakes {
+            let found = program.run(|| (), &record, folder, author.reader());
+            let known = found.verdict.known.as_deref().unwrap_or_default();
+            if author.is_shown {
+                println!(
+                    "{overlooks}\n  {}\n  {known}",
+                    found.verdict.wrong.join("\n  ")
+                );
+            }
+            author.save_drawing(&found.drawing, name, overlooks);
+            if !known.ends_with(&format!(" that {overlooks}")) {
+                return Err(format!("{overlooks}: accepted, or taken for another: {known}").into());
+            }
         }
         Ok(())
     }
 
-    fn right(&self, record: &Record, index: usize) -> Result<(), Failed> {
-        let _together = WITH_STARTER.read();
-        let (_, program) = self.entry.codes.right(&record.found).swap_remove(index);
-        self.accept(&self.run(record, &program, || ()), None)
-    }
-
-    fn wrong(&self, record: &Record, index: usize) -> Result<(), Failed> {
-        let _together = WITH_STARTER.read();
-        let (about, program) = self.entry.codes.wrong(&record.found).swap_remove(index);
-        self.refuse(about, &self.run(record, &program, || ()))
-    }
-
-    /// Fails if right code is refused, or if its picture is not the one of this name in the book.
-    fn accept(&self, found: &Findings, picture: Option<&str>) -> Result<(), Failed> {
-        let mut problems = found.verdict.wrong.clone();
-        for missing in &found.missing {
-            problems.push(format!("it lacks {}", missing.what));
+    /// The record of the solution's answers, and of those of the mistakes.
+    fn record(&self, solution: &Program, mistakes: &[(&str, Program)]) -> Record {
+        let rounding_flaw = (self.exercise)().rounding_flaw;
+        let rows = solution.rows(rounding_flaw.is_some());
+        let mistakes = mistakes.iter();
+        Record {
+            rounding_flaw: rounding_flaw.map(str::to_owned),
+            picture: solution.scene().map(str::to_owned),
+            mistakes: mistakes
+                .map(|(overlooks, program)| program.mistake(overlooks, &rows))
+                .collect(),
+            rows,
         }
-        let shown = found.drawing.as_ref().or(found.image.as_ref());
-        if let (Some(image), Some(name)) = (shown, picture) {
-            if self.is_shown {
-                println!("{}", self.folder.save(image, name));
-            }
-            let shown = self.folder.in_book(name);
-            if shown.is_file() {
-                let compared = compare_picture(&shown, image, Some(&self.folder.pictures()));
-                problems.extend(compared.err());
-            }
-        }
-        let is_right = problems.is_empty();
-        is_right.then_some(()).ok_or(problems.join("\n").into())
     }
+}
 
-    /// Fails if a mistake is accepted, or if it is not recognised.
-    fn refuse(&self, about: &str, found: &Findings) -> Result<(), Failed> {
-        let known = found.verdict.known.as_deref().unwrap_or_default();
+impl Author {
+    fn reader(&self) -> Reader {
         if self.is_shown {
-            println!("{about}\n  {}\n  {known}", found.verdict.wrong.join("\n  "));
+            Reader::Student
+        } else {
+            Reader::Author
         }
-        self.save_drawing(found, about);
-        let is_known = known.starts_with("this is") && known.ends_with(about);
-        let accepted = || format!("the check accepts it, or takes it for another: {known}").into();
-        is_known.then_some(()).ok_or_else(accepted)
     }
+
+    /// Records answers and the picture of a scene with few samples, or fails if the recorded ones
+    /// differ.
+    fn compare(&self, name: &str, record: &Record) -> Proof {
+        let file = self.folder.record_file(name);
+        let picture = match &record.picture {
+            Some(scene) => self.folder.recorded_picture(scene)?,
+            None => None,
+        };
+        let answers = record.to_string();
+        if self.records {
+            fs::write(file, answers)?;
+            if let Some((file, image)) = picture {
+                picture_file::save_png(&file, image.size(), &image.to_rgb8(Transfer::Linear))?;
+            }
+            return Ok(());
+        }
+        if let Some((file, image)) = picture {
+            compare_with_file(&file, &image)?;
+        }
+        let recorded = fs::read_to_string(&file)?;
+        let mut lines = (1..).zip(recorded.lines().zip(answers.lines()));
+        match lines.find(|(_, (old, new))| old != new) {
+            None if recorded.lines().count() == answers.lines().count() => Ok(()),
+            None => Err("the recorded answers are incomplete".into()),
+            Some((line, (old, new))) => Err(format!(
+                "line {line} of the recorded answers is\n  {old}\nand would be\n  {new}\n\
+                 if it is right, record it: INSTA_UPDATE=always"
+            )
+            .into()),
+        }
+    }
+
+    /// Fails if the picture is not the one of this name in the book.
+    fn compare_picture(&self, name: &str, found: &Findings) -> Proof {
+        let Some(image) = found.drawing.as_ref().or(found.image.as_ref()) else {
+            return Ok(());
+        };
+        let stage = self.folder.stage().name;
+        let file = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
+        if self.is_shown {
+            println!("{}", self.folder.save(image, &file));
+        }
+        let shown = self.folder.in_book(&file);
+        if shown.is_file() {
+            compare_picture(&shown, image, Some(&self.folder.pictures()))?;
+        }
+        Ok(())
+    }
+
+    /// Saves what code draws that is wrong or unfinished, if the author looks at this exercise.
+    fn save_drawing(&self, drawing: &Option<common::Image>, name: &str, about: &str) {
+        if let Some(drawing) = drawing.as_ref().filter(|_| self.is_shown) {
+            let words = about.replace(|letter: char| !letter.is_alphanumeric(), "-");
+            println!(
+                "{}",
+                self.folder.save(drawing, &format!("{name}-{words}.png"))
+            );
+        }
+    }
+}
+
+/// Fails if right code is refused.
+fn accept(whose: &str, found: &Findings) -> Proof {
+    if found.verdict.wrong.is_empty() {
+        return Ok(());
+    }
+    Err(format!("{whose}: {}", found.verdict.wrong.join("\n")).into())
 }

@@ -3,10 +3,10 @@
 use proptest::prelude::RngExt;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-/// A hundred random inputs, the same in every run.
+/// Some random inputs, the same in every run.
 pub fn random<I>(mut input: impl FnMut(&mut Random) -> I) -> Vec<I> {
     let mut random = Random::new(1);
-    (0..100).map(|_| input(&mut random)).collect()
+    (0..24).map(|_| input(&mut random)).collect()
 }
 
 /// A source of random numbers, which a seed determines.

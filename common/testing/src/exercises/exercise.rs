@@ -1,0 +1,159 @@
+//! `Exercise`: the questions, the picture and the known mistakes of an exercise.
+
+use std::rc::Rc;
+
+use common::{Error, Image, Settings, Size};
+use exercise::{Answer, Input, Question};
+
+/// Says something about code of the type `C`.
+pub type Remark<C> = fn(&C) -> Result<String, Error>;
+
+/// The answer of code of the type `C` to a question with other numbers.
+pub type AnswerTo<C> = Box<dyn Fn(&C, &[f64]) -> Answer>;
+
+/// Renders a picture with code of the type `C`.
+pub type Render<C> = Box<dyn Fn(&C, &Settings) -> Result<Image, Error>>;
+
+/// An exercise about code of the type `C`, such as a function.
+pub struct Exercise<C> {
+    /// What the code is asked, in this order.
+    pub questions: Vec<Vec<CodeQuestion<C>>>,
+    /// In an exercise about rounding, what goes wrong in a formula that is right in exact
+    /// arithmetic, such as `loses digits where ...`.
+    pub rounding_flaw: Option<&'static str>,
+    /// The picture that the code paints.
+    pub picture: Picture<C>,
+    /// A small picture that shows what this code alone does. Learners see it instead of a scene of
+    /// the stage, which is then only compared.
+    pub drawing: Option<Render<C>>,
+    /// The section of the book about code that makes rays, such as a camera: the page below
+    /// `book/src`, and the anchor of the heading.
+    pub section_of_rays: Option<&'static str>,
+    /// Says something about code that is right.
+    pub remark: Option<Remark<C>>,
+    /// Right code beside the solution, such as the lesson's.
+    pub right: Vec<C>,
+    /// Mistakes that all code of its kind may have, such as all shapes.
+    pub usual: Vec<Variant<C>>,
+    /// Further mistakes.
+    pub wrong: Vec<Variant<C>>,
+}
+
+/// An exercise without questions.
+impl<C> Default for Exercise<C> {
+    fn default() -> Self {
+        Self {
+            questions: Vec::new(),
+            rounding_flaw: None,
+            picture: Picture::None,
+            drawing: None,
+            section_of_rays: None,
+            remark: None,
+            right: Vec::new(),
+            usual: Vec::new(),
+            wrong: Vec::new(),
+        }
+    }
+}
+
+/// The picture that a student's code paints.
+pub enum Picture<C> {
+    /// None.
+    None,
+    /// A scene of the stage, which is compared with its locked picture.
+    Scene(&'static str, Render<C>),
+    /// A small picture that is only looked at.
+    Own(Render<C>),
+}
+
+/// The settings of a picture that is only looked at.
+pub(super) fn own_settings() -> Result<Settings, Error> {
+    Ok(Settings {
+        size: Size::new(320, 240)?,
+        ..Settings::default()
+    })
+}
+
+impl<C> Picture<C> {
+    /// The scene of the stage of this name, with the code in it.
+    pub fn scene(
+        name: &'static str,
+        render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static,
+    ) -> Self {
+        Self::Scene(name, Box::new(render))
+    }
+
+    /// A picture by the code, to be looked at.
+    pub fn own(render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static) -> Self {
+        Self::Own(Box::new(render))
+    }
+}
+
+/// A drawing by the code, for an exercise whose scene another one shows, too.
+pub fn drawing<C>(
+    render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static,
+) -> Option<Render<C>> {
+    Some(Box::new(render))
+}
+
+/// A mistake of learners.
+pub struct Variant<C> {
+    /// The fact that the mistake overlooks, after which learners read "that".
+    pub overlooks: &'static str,
+    /// Makes code with this mistake of the right code.
+    pub make: Box<dyn Fn(C) -> C>,
+}
+
+impl<C: Clone + 'static> Variant<C> {
+    /// The mistake of this code.
+    pub fn new(overlooks: &'static str, code: C) -> Self {
+        Self::from_right(overlooks, move |_| code.clone())
+    }
+
+    /// The mistake of code that is derived from the right code.
+    pub fn from_right(overlooks: &'static str, make: impl Fn(C) -> C + 'static) -> Self {
+        Self {
+            overlooks,
+            make: Box::new(make),
+        }
+    }
+}
+
+/// A question, and how code answers it, also with other numbers.
+pub struct CodeQuestion<C> {
+    /// The question.
+    pub question: Question,
+    /// The code's answer to the question with these numbers.
+    pub answer: AnswerTo<C>,
+}
+
+/// Questions of one form.
+pub struct Questions<C, I, A> {
+    /// The question, with `{}` instead of each argument.
+    pub words: String,
+    /// Inputs of numbers like 0, 1 and 2, which every formula computes without rounding: at them
+    /// decisions must be equal, such as for a ray that just touches.
+    pub simple: Vec<I>,
+    /// Further inputs, where a decision that depends on rounding may be either.
+    pub others: Vec<I>,
+    /// Lets the code answer.
+    pub answer: fn(&C, I) -> A,
+}
+
+/// The questions one by one.
+impl<C: 'static, I: Input + 'static, A: Into<Answer> + 'static> From<Questions<C, I, A>>
+    for Vec<CodeQuestion<C>>
+{
+    fn from(questions: Questions<C, I, A>) -> Self {
+        let (answer, words) = (questions.answer, Rc::new(questions.words));
+        let simple = questions.simple.into_iter().map(|input| (true, input));
+        let others = questions.others.into_iter().map(|input| (false, input));
+        let asked = simple.chain(others).map(|(is_simple, input)| CodeQuestion {
+            question: Question::new(&words, &input, is_simple),
+            answer: Box::new(move |code: &C, numbers: &[f64]| {
+                answer(code, input.clone().with_numbers(numbers)).into()
+            }),
+        });
+        asked.collect()
+    }
+}
