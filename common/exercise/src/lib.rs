@@ -1,6 +1,6 @@
 //! Questions of exercises, their right answers, and the verdict on other answers.
 //!
-//! A [`Question`] is a value: words, numbers, and whether they are simple. The lesson or the
+//! A [`Question`] is a value: words, numbers, and whether they are simple. The
 //! solution of an exercise answers all its questions; these answers, with how far another right
 //! answer may be from them, are its [`Record`], a text file beside the solutions. A student's
 //! program answers the same questions, and [`verdict`] compares: it is the only comparison of

@@ -7,7 +7,7 @@ use std::sync::RwLock;
 use std::{env, fs, panic};
 
 use common::difference::compare_with_file;
-use common::{Transfer, picture_file};
+use common::{Image, Transfer, picture_file};
 use exercise::{Record, compare_picture};
 use libtest_mimic::{Arguments, Trial};
 
@@ -111,7 +111,8 @@ impl<C: 'static> Codes<C> {
             if !starter.is_unfinished() {
                 return Err("nothing is missing in the starter".into());
             }
-            author.save_drawing(&starter.draw(true, author.reader()), name, "unfinished");
+            let drawing = starter.draw(true, author.reader());
+            author.save_drawing(drawing.as_ref(), name, "unfinished");
         }
         let _together = WITH_STARTER.read();
         let mistakes = self.mistakes();
@@ -141,7 +142,7 @@ impl<C: 'static> Codes<C> {
                     found.verdict.wrong.join("\n  ")
                 );
             }
-            author.save_drawing(&found.drawing, name, overlooks);
+            author.save_drawing(found.drawing.as_ref(), name, overlooks);
             if !known.ends_with(&format!(" that {overlooks}")) {
                 return Err(format!("{overlooks}: accepted, or taken for another: {known}").into());
             }
@@ -224,8 +225,8 @@ impl Author {
     }
 
     /// Saves what code draws that is wrong or unfinished, if the author looks at this exercise.
-    fn save_drawing(&self, drawing: &Option<common::Image>, name: &str, about: &str) {
-        if let Some(drawing) = drawing.as_ref().filter(|_| self.is_shown) {
+    fn save_drawing(&self, drawing: Option<&Image>, name: &str, about: &str) {
+        if let Some(drawing) = drawing.filter(|_| self.is_shown) {
             let words = about.replace(|letter: char| !letter.is_alphanumeric(), "-");
             println!(
                 "{}",
