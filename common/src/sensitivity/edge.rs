@@ -296,7 +296,7 @@ fn differ(a: f64, b: f64) -> bool {
 fn vertex([(x0, y0), (x1, y1), (x2, y2)]: [(f64, f64); 3]) -> Option<(f64, f64)> {
     let slope = (y1 - y0) / (x1 - x0);
     let curvature = ((y2 - y0) / (x2 - x0) - slope) / (x2 - x1);
-    let x = (x0 + x1) / 2.0 - slope / (2.0 * curvature);
+    let x = f64::midpoint(x0, x1) - slope / (2.0 * curvature);
     let y = y0 + (x - x0) * (slope + (x - x1) * curvature);
     (x.is_finite() && y.is_finite()).then_some((x, y))
 }
