@@ -40,6 +40,7 @@ pub struct Entry {
 
 impl Entry {
     /// The exercise of this name.
+    #[must_use]
     pub fn new<C: 'static>(name: &'static str, codes: Codes<C>) -> Self {
         let prove = Box::new(move |author: &Author| codes.prove(name, author));
         Self { name, prove }
