@@ -3,6 +3,7 @@
 //! all renderers, and from the scene's export. Empty lines stand between scenes.
 
 use std::collections::BTreeSet;
+use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -133,7 +134,7 @@ pub fn wrong_scenes(file: &Path, open: Open) -> String {
             }
         };
         if found != expected {
-            wrong += &format!("\n{case}\nand not\n{found}\n");
+            let _ = writeln!(wrong, "\n{case}\nand not\n{found}");
         }
     }
     wrong
@@ -227,7 +228,7 @@ fn files_that_are_no_text_and_those_that_are_too_large_are_refused() {
     let mut deep = format!("{camera}[[define.a0.sphere]]\ncenter = [0, 0, 0]\nradius = 1\n");
     let mut copies = camera.to_owned();
     for i in 0..40 {
-        deep += &format!("[[define.a{}.use]]\nname = \"a{i}\"\n", i + 1);
+        let _ = writeln!(deep, "[[define.a{}.use]]\nname = \"a{i}\"", i + 1);
         copies += "[[repeat]]\ncount = 10000\ntranslate = [1, 0, 0]\n";
     }
     for (bytes, expected) in [

@@ -50,7 +50,7 @@ fn check(cases: &str, change: impl Fn(&str) -> String) {
         let (text, expected) = case.split_at(ends.min().expect(case));
         let file = change(text);
         if let Some(expected) = expected.strip_prefix("# error: ") {
-            let error = Mesh::read(file.as_bytes()).err().expect(&file);
+            let error = Mesh::read(file.as_bytes()).expect_err(&file);
             assert_eq!(error, expected, "{file}");
             continue;
         }
@@ -63,7 +63,8 @@ fn check(cases: &str, change: impl Fn(&str) -> String) {
         ] {
             let mut found = "# square".to_owned();
             for note in assert_square(file.replacen(from, to, count).as_bytes()) {
-                found += &format!("\n# note: {note}");
+                found.push_str("\n# note: ");
+                found.push_str(&note);
             }
             assert_eq!(found, expected, "{file}");
         }
