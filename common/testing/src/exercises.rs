@@ -93,6 +93,8 @@ macro_rules! exercises {
     ($stage:path; $(mod $name:ident;)+) => {
         $(
             #[cfg(any(not(learn), $name))]
+            #[allow(clippy::semicolon_if_nothing_returned)]
+            #[allow(clippy::manual_midpoint, clippy::type_complexity)]
             mod $name;
         )+
 
