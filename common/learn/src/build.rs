@@ -60,8 +60,15 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
     if !status.success() {
         let errors = errors.finish();
         let (first, more) = errors.beginning(space.lines);
+        // The compiler would send the student into the check.
+        let words = if first.contains("tests/exercises/") {
+            "the check calls your code by the names and in the forms of the starter; look at yours"
+        } else {
+            ""
+        };
         return Ok(Build::Failed(Report {
             printed: first + &say_cut(e, &errors, more),
+            words: words.to_owned(),
             ..Report::new(e, "does not compile")
         }));
     }
