@@ -107,19 +107,14 @@ fn program(yours: &Files) -> Result<Files, String> {
         program.insert(format!("src/{name}.rs"), text.to_owned());
     }
     for name in functions() {
-        let text = match yours.get(name) {
-            Some(text) => without_examples(text),
-            None => {
-                let Ok(e) = crate::exercise::find(name) else {
-                    return Err(
-                        "the program needs all stages, and this workbook lacks some".to_owned()
-                    );
-                };
-                without_examples(&files::read(&format!(
-                    "{}/exercises/solutions/{name}.rs",
-                    e.stage
-                ))?)
-            }
+        let text = if let Some(text) = yours.get(name) {
+            without_examples(text)
+        } else {
+            let Ok(e) = crate::exercise::find(name) else {
+                return Err("the program needs all stages, and this workbook lacks some".to_owned());
+            };
+            let solution = format!("{}/exercises/solutions/{name}.rs", e.stage);
+            without_examples(&files::read(&solution)?)
         };
         program.insert(format!("src/functions/{name}.rs"), text);
     }
