@@ -40,7 +40,8 @@ impl Vector3 {
     /// The vector in the same direction whose largest coordinate is at least 1
     /// and below 2; `None` if there is no direction. The factor is a power of
     /// two, so that nothing is rounded.
-    fn scaled(self) -> Option<Self> {
+    #[must_use]
+    pub fn scaled(self) -> Option<Self> {
         let largest = self.0.abs().max_element();
         (self.0.is_finite() && largest > 0.0).then(|| {
             let exponent = libm::ilogb(largest);

@@ -5,6 +5,7 @@
 
 use common::{Omissions, Renderer, Settings, steps};
 
+mod black_picture;
 mod drawing;
 mod footprint;
 pub mod orbit_camera;

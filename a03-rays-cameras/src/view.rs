@@ -197,6 +197,10 @@ impl Traced for TracedScene {
         Ok(self.edited_view(settings)?.trace(settings, pixel))
     }
 
+    fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error> {
+        Ok(self.edited_view(settings)?.why_black(settings))
+    }
+
     fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error> {
         let view = self.edited_view(settings)?;
         Ok(view.drawing(&trace.steps, self.name))

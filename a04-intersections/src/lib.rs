@@ -12,6 +12,7 @@ pub mod instruments;
 mod interval;
 pub mod kinds;
 mod plane;
+mod scaled_ray;
 #[doc(hidden)]
 pub mod scenes;
 mod sphere;
@@ -24,6 +25,7 @@ pub use geometry::Geometry;
 pub use hit::Hit;
 pub use interval::Interval;
 pub use plane::Plane;
+pub use scaled_ray::{SQUARED_LENGTHS, hit_of_scaled_ray};
 pub use sphere::Sphere;
 pub use stage::{scenes as traced_scenes, stage};
 pub use triangle::Triangle;

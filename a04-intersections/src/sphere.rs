@@ -4,7 +4,7 @@ use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, argument};
 
-use crate::{Geometry, Hit, Interval};
+use crate::{Geometry, Hit, Interval, SQUARED_LENGTHS, hit_of_scaled_ray};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +31,9 @@ impl Geometry for Sphere {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (f, d) = (ray.origin() - self.c, ray.direction());
         let a = d.dot(d);
+        if !SQUARED_LENGTHS.contains(&a) {
+            return hit_of_scaled_ray(self, ray, within);
+        }
         let middle = -f.dot(d) / a;
 
         // The discriminant b² - a (f · f - r²) subtracts two numbers as large

@@ -4,7 +4,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, argument, text};
 
-use crate::{Geometry, Hit, Interval};
+use crate::{Geometry, Hit, Interval, SQUARED_LENGTHS, hit_of_scaled_ray};
 
 /// A triangle. It has no thickness, and is seen from both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,6 +119,9 @@ impl Geometry for Triangle {
     // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let space = ShearedSpace::new(ray);
+        if !SQUARED_LENGTHS.contains(&(space.scale_z * space.scale_z)) {
+            return hit_of_scaled_ray(self, ray, within);
+        }
         let [a, b, c] = self.corners.map(|corner| space.sheared(corner));
 
         // The sign gives the axis's side of each edge; 0 is on the edge, a hit.

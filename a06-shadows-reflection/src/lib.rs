@@ -7,6 +7,7 @@
 pub mod instruments;
 pub mod kinds;
 mod light_source;
+mod mirror_direction;
 mod recursive_tracer;
 mod reflective;
 #[doc(hidden)]
@@ -17,6 +18,7 @@ mod stage;
 mod surface;
 
 pub use light_source::LightSource;
+pub use mirror_direction::mirror_direction;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;
 pub use scenes::diagonal_camera;

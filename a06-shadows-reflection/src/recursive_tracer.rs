@@ -6,7 +6,7 @@ use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
 use common::Color;
 
-use crate::{LightSource, Surface, is_shadowed, secondary_ray};
+use crate::{LightSource, Surface, is_shadowed, mirror_direction, secondary_ray};
 
 /// A world of surfaces that may mirror and lights that may cast shadows.
 pub type ShadowedWorld = LitWorld<Box<dyn Surface>, LightSource>;
@@ -47,8 +47,7 @@ impl<'a> RecursiveTracer<'a> {
             if mirrored == Color::BLACK {
                 break;
             }
-            let direction = (-ray.direction()).reflected_on(hit.normal);
-            ray = secondary_ray(&ray, &hit, direction);
+            ray = secondary_ray(&ray, &hit, mirror_direction(&ray, &hit));
         }
         color
     }

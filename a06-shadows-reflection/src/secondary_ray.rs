@@ -12,7 +12,7 @@ use a04_intersections::Hit;
 /// Bound of the rounding error along the normal, relative to the largest of the numbers of
 /// ray and shape. The roundings of a hit and of the new ray's own test come to at most 4
 /// epsilons for a box, 11 for a plane, 24 for a sphere and 44 for a triangle.
-const OFFSET: f64 = 64.0 * f64::EPSILON;
+pub(crate) const OFFSET: f64 = 64.0 * f64::EPSILON;
 
 /// The ray that leaves the hit of `ray` in a direction of length 1: to a light,
 /// or reflected. Its origin is offset along the geometric normal, to the side of

@@ -11,6 +11,9 @@ use crate::Transform;
 /// A long translation and a second one back lose digits in between: the
 /// translation of a node should not be much larger than the scene.
 ///
+/// Nodes in nodes should not scale lengths by more than 1e200 together: coordinates of a ray might
+/// become 0 or infinite. In a scene file this is an error.
+///
 /// A node has one surface in the world, which all its children share. Objects of
 /// different surfaces need a node each, with the same transform.
 #[derive(Debug)]

@@ -15,5 +15,5 @@ testing::lock_scenes! {
 
 testing::lock_scenes! {
     everything_that_goes_wrong_is_locked: go_wrong::stage();
-    offset gamma cracks terminator coincident
+    offset gamma cracks terminator rim coincident
 }

@@ -55,6 +55,9 @@ pub trait Traced: Any + Send + Sync {
     /// the settings. The engine has only those of the samples.
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error>;
 
+    /// Why the picture is black all over; none if no mistake is found.
+    fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error>;
+
     /// The rays of the first sample from the side and from above, as SVG.
     fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error>;
 

@@ -5,8 +5,12 @@
 
 use scene_file::{Error, FirstMistake, Item, SceneFile};
 
-use super::{Shapes, Shared};
+use super::{Content, ShapeKind, Shapes, Shared};
 use crate::Geometry;
+
+/// By how much the transforms of a group and of those in it may make lengths longer or shorter.
+/// Within these limits no coordinate of a ray becomes infinite or 0.
+const LARGEST_SCALE: f64 = 1e200;
 
 /// A geometry, and the table that has its color or material; none if one around it has.
 struct Part<'f> {
@@ -14,10 +18,12 @@ struct Part<'f> {
     surface: Option<&'f Item>,
     /// The table of its first shape, or of a use.
     first: &'f Item,
+    /// By how much its transforms make lengths longer or shorter, at most.
+    scale: f64,
 }
 
-/// The parts of a definition.
-type SharedParts<'f> = Vec<(Shared, Option<&'f Item>)>;
+/// The parts of a definition: shapes, their surface, and the scale of their transforms.
+type SharedParts<'f> = Vec<(Shared, Option<&'f Item>, f64)>;
 
 struct Reader<'f> {
     shapes: Shapes,
@@ -59,6 +65,20 @@ impl Shapes {
     }
 }
 
+impl Shapes {
+    /// By how much the transform of a group makes lengths longer or shorter, at most.
+    fn scale(self, group: &dyn Geometry) -> f64 {
+        let kind = self.row(group).and_then(|row| row.get(group));
+        match kind.map(ShapeKind::content) {
+            Some(Content::Children {
+                transform: Some(transform),
+                ..
+            }) => transform.scale(),
+            _ => 1.0,
+        }
+    }
+}
+
 impl<'f> Reader<'f> {
     /// The geometries of a table, each with its surface if that is inside of the table.
     fn parts(&mut self, item: &'f Item) -> Result<Vec<Part<'f>>, Error> {
@@ -76,6 +96,7 @@ impl<'f> Reader<'f> {
                 geometry: self.shapes.read(item)?,
                 surface: None,
                 first: item,
+                scale: 1.0,
             }],
         };
         if is_group || has_steps {
@@ -114,16 +135,17 @@ impl<'f> Reader<'f> {
             for run in runs(parts) {
                 let shapes = Shared::new(run.geometries, self.shapes);
                 let surface = run.surface.or(has_surface.then_some(item));
-                shared.push((shapes, surface));
+                shared.push((shapes, surface, run.scale));
             }
             self.known[definition] = Some(shared);
         }
         let mut parts = Vec::new();
-        for (shapes, surface) in self.known[definition].iter().flatten() {
+        for (shapes, surface, scale) in self.known[definition].iter().flatten() {
             parts.push(Part {
                 geometry: Box::new(shapes.clone()),
                 surface: *surface,
                 first: user,
+                scale: *scale,
             });
         }
         Ok(parts)
@@ -133,10 +155,18 @@ impl<'f> Reader<'f> {
     fn grouped(&self, item: &Item, parts: Vec<Part<'f>>) -> Result<Vec<Part<'f>>, Error> {
         let mut nodes = Vec::new();
         for run in runs(parts) {
+            let geometry = self.shapes.read_group(item, run.geometries)?;
+            let scale = run.scale * self.shapes.scale(&*geometry);
+            if scale > LARGEST_SCALE {
+                let text = "the transforms here and inside make lengths more than 1e200 times as \
+                    long, or as short";
+                return Err(item.error("transform", text));
+            }
             nodes.push(Part {
-                geometry: self.shapes.read_group(item, run.geometries)?,
+                geometry,
                 surface: run.surface,
                 first: run.first,
+                scale,
             });
         }
         Ok(nodes)
@@ -149,6 +179,8 @@ struct Run<'f> {
     surface: Option<&'f Item>,
     /// The table of the first one.
     first: &'f Item,
+    /// The greatest scale of them.
+    scale: f64,
 }
 
 /// The parts as runs.
@@ -161,11 +193,15 @@ fn runs<'f>(parts: Vec<Part<'f>>) -> Vec<Run<'f>> {
             _ => false,
         };
         match runs.last_mut().filter(is_same) {
-            Some(run) => run.geometries.push(part.geometry),
+            Some(run) => {
+                run.geometries.push(part.geometry);
+                run.scale = run.scale.max(part.scale);
+            }
             None => runs.push(Run {
                 geometries: vec![part.geometry],
                 surface: part.surface,
                 first: part.first,
+                scale: part.scale,
             }),
         }
     }

@@ -40,7 +40,7 @@ fn a_direction_of_another_length_changes_t_alone() {
         let (shape, ray) = (random_shape(n / 8), random_ray(n));
         let found =
             |ray: &Ray| hit(&*shape, ray).map(|hit| (hit.t, hit.normal, hit.geometric_normal));
-        for exponent in [-332, -1, 1, 332] {
+        for exponent in [-960, -332, -1, 1, 332, 960] {
             let length = libm::scalbn(1.0, exponent);
             let scaled = found(&Ray::derived(ray.origin(), ray.direction() * length));
             let scaled = scaled.map(|(t, normal, face)| (t * length, normal, face));

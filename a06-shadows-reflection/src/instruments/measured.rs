@@ -11,7 +11,7 @@ use a05_lighting::{Illumination, Light, Lighting};
 use common::{Color, Omission, Omissions};
 
 use crate::shadow::ShadowRay;
-use crate::{ShadowedWorld, secondary_ray};
+use crate::{ShadowedWorld, mirror_direction, secondary_ray};
 
 /// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer) in this world.
 #[derive(Clone, Copy)]
@@ -37,8 +37,7 @@ impl MeasuredTracer<'_> {
             if mirrored == Color::BLACK && omits_black_mirrors {
                 break;
             }
-            let direction = (-ray.direction()).reflected_on(hit.normal);
-            ray = secondary_ray(&ray, &hit, direction);
+            ray = secondary_ray(&ray, &hit, mirror_direction(&ray, &hit));
         }
         color
     }

@@ -72,7 +72,7 @@ pub fn traced_picture(
 pub fn mirrors(centre: [f64; 3], radius: f64, reflection: [f64; 3]) -> Made<ShadowedWorld> {
     let mirror = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
     let lamp = PointLight::new(Color::WHITE, Point3::new(3.0, 9.0, 4.0))?;
-    let triangle = smooth_triangle(point([0.0, 1.5, -4.0]), vector([0.0, -0.5, 1.0]), 2.0)?;
+    let triangle = smooth_triangle(point([0.0, 1.5, -4.0]), vector([0.0, -1.5, 3.0]), 2.0)?;
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
     let ball = Sphere::new(point(centre), radius)?;
     Ok(ShadowedWorld::empty(Color::gray(0.5), Color::gray(0.25))?

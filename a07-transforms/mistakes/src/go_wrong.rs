@@ -5,7 +5,7 @@ use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, render};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 use a04_lab::protocol;
 use a06_lab::coarse_ball::{ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Start, coarse_ball};
-use a06_shadows_reflection::secondary_ray;
+use a06_shadows_reflection::{mirror_direction, secondary_ray};
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, Transfer};
 
 /// The pictures as a stage, so that its program can show and its test lock them.
@@ -14,7 +14,14 @@ pub fn stage() -> Stage {
     Stage {
         name: "go-wrong",
         about: "What can go wrong: too little, right, and too much",
-        scenes: vec![offset(), gamma(), cracks(), terminator(), coincident()],
+        scenes: vec![
+            offset(),
+            gamma(),
+            cracks(),
+            terminator(),
+            rim(),
+            coincident(),
+        ],
         open: None,
     }
 }
@@ -186,6 +193,51 @@ fn smooth_ball(
         let shadow_ray = start(ray, &hit, corners, to_light);
         let is_dark = cosine <= 0.0 || ball.is_hit(&shadow_ray, Interval::AHEAD);
         Color::gray(if is_dark { 0.1 } else { 0.1 + 1.5 * cosine })
+    };
+    render(&camera, color, settings, progress)
+}
+
+/// The rim of a smooth mirror: where its normal leans, rays are reflected into its triangles.
+fn rim() -> Scene {
+    let about = "a mirroring ball of 80 triangles under an even sky, the same as the lesson has it, \
+        and one of 320 triangles";
+    let about_the_normal: Mirror = |ray, hit| (-ray.direction()).reflected_on(hit.normal);
+    let panels = [
+        (1, about_the_normal),
+        (1, mirror_direction),
+        (2, about_the_normal),
+    ];
+    let panels = panels.map(|(divisions, mirror)| {
+        move |settings: &Settings, progress: &dyn Progress| {
+            mirroring_ball(divisions, mirror, settings, progress)
+        }
+    });
+    Scene::side_by_side("rim", about, panels, PANEL)
+}
+
+/// The direction in which the surface at a hit mirrors a ray.
+type Mirror = fn(&Ray, &Hit) -> Vector3;
+
+/// A smooth ball of 20 · 4^`divisions` triangles that mirrors seven tenths of the light of the sky.
+fn mirroring_ball(
+    divisions: u32,
+    mirror: Mirror,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
+    let ball = coarse_ball(divisions, Color::new(0.75, 0.85, 1.0))?;
+    let (eye, up) = (Point3::new(1.5, 1.0, 4.0), Vector3::new(0.0, 1.0, 0.0));
+    let camera = PerspectiveCamera::new(eye, Point3::ORIGIN - eye, up, 0.52)?;
+    let color = |ray: &Ray| {
+        let (mut ray, mut mirrored) = (*ray, 1.0);
+        for _ in 0..6 {
+            let Some((hit, _)) = ball.hit(&ray, Interval::AHEAD) else {
+                return ball.background() * mirrored;
+            };
+            mirrored *= 0.7;
+            ray = secondary_ray(&ray, &hit, mirror(&ray, &hit));
+        }
+        Color::BLACK
     };
     render(&camera, color, settings, progress)
 }

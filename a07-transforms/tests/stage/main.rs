@@ -4,6 +4,7 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod adaptive;
+mod black_pictures;
 mod dahlia;
 mod deep_reflections;
 mod disc;
@@ -16,6 +17,7 @@ mod negative_zeros;
 mod node;
 mod own_shape;
 mod rows;
+mod scales;
 mod scene_files;
 mod sensitivity;
 mod transform;

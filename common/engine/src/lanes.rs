@@ -10,7 +10,7 @@ mod tests;
 mod vector;
 
 pub use color::ColorPacket;
-pub use ray_packet::{PacketHit, RayPacket};
+pub use ray_packet::{OFFSET, PacketHit, RayPacket};
 pub use vector::Vector3x4;
 
 /// Four numbers side by side. A comparison of them yields a mask: all bits of a lane
@@ -40,6 +40,19 @@ pub fn select(mask: Lanes, yes: Lanes, no: Lanes) -> Lanes {
 pub fn without(mask: Lanes, t: Lanes) -> Lanes {
     // A number with all bits set is NaN.
     t | mask
+}
+
+/// Whether squared lengths of directions are in the range from which formulas may compute.
+#[inline]
+pub fn is_square_for_formulas(squared: Lanes) -> Lanes {
+    squared.simd_ge(Lanes::splat(1e-40)) & squared.simd_le(Lanes::splat(1e40))
+}
+
+/// The greatest powers of two that are not above the magnitudes of some numbers.
+#[inline]
+pub fn powers_of_two(numbers: Lanes) -> Lanes {
+    // The bits of infinity are those of the exponent.
+    (numbers & Lanes::splat(f64::INFINITY)).fast_max(Lanes::splat(f64::MIN_POSITIVE))
 }
 
 /// `t` where it is above 0, else NaN.

@@ -7,6 +7,7 @@
 
 mod batch;
 mod lighting;
+mod mirror_directions;
 mod offset_ray;
 
 use common::steps::{self, StepKind};
@@ -18,6 +19,7 @@ use crate::shade::RadianceBound;
 use crate::{Light, Surface};
 pub(crate) use batch::Batch;
 use batch::{Path, Vertex};
+use mirror_directions::mirror_directions;
 use offset_ray::offset_rays;
 
 /// Rays of a batch, at most.
@@ -112,7 +114,7 @@ impl Tracer<'_> {
         path.throughput = path.throughput * self.reflectance(hits);
         path.active &= !self.terminated(path.throughput, path.active);
         if path.active != 0 {
-            let direction = (-path.rays.direction).reflected_on(hits.hit.normal);
+            let direction = mirror_directions(&path.rays, &hits.hit);
             path.rays = offset_rays(&path.rays, &hits.hit, direction);
         }
     }

@@ -15,10 +15,16 @@ pub(crate) fn normalized(v: DVec3) -> Option<DVec3> {
     if SQUARES.contains(&squared) {
         return Some(v / squared.sqrt());
     }
+    scaled(v).map(|(scaled, _)| scaled / scaled.length())
+}
+
+/// The vector divided by a power of two, so that its greatest coordinate is at least 1 and
+/// below 2, and this power; none where [`normalized`] is none.
+pub(crate) fn scaled(v: DVec3) -> Option<(DVec3, f64)> {
     let largest = v.abs().max_element();
     (v.is_finite() && largest > 0.0).then(|| {
         let exponent = libm::ilogb(largest);
         let scaled = v.map(|x| libm::scalbn(x, -exponent));
-        scaled / scaled.length()
+        (scaled, libm::scalbn(1.0, exponent))
     })
 }

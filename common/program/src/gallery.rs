@@ -10,6 +10,7 @@ use std::thread::{self, JoinHandle};
 use common::{Edits, Error, Image, Scene, Settings, Size, Stage};
 
 use crate::LivePicture;
+use crate::black_picture::warn_if_black;
 use crate::explained_pixel::ExplainedPixel;
 use crate::grammar::Showing;
 use crate::opened_file::OpenedFile;
@@ -235,6 +236,13 @@ impl<'a> Gallery<'a> {
                 self.picture = Arc::new(picture);
             }
             self.picture.finish(image);
+            // A camera that was moved by hand may look away.
+            if self.edits == Edits::default()
+                && let Some(scene) = self.scene()
+                && let Ok(settings) = self.settings(scene)
+            {
+                warn_if_black(scene, &settings, image);
+            }
             let bad = image.count_non_finite();
             if bad > 0 {
                 self.message = format!("warning: {bad} pixels are no finite numbers");

@@ -5,6 +5,7 @@
 //! the build has a window. The commands of laboratories and of exercises are in the crates
 //! `measure` and `learn`.
 
+mod black_picture;
 mod by_numbers;
 mod comparison;
 mod explain_pixel;

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use common::{Error, Image, Renderer, Scene, Settings, Stage, text};
 
+use crate::black_picture::warn_if_black;
 use crate::opened_file::OpenedFile;
 use crate::options::Options;
 use crate::print::{print, warn};
@@ -119,6 +120,7 @@ pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<I
             "warning: {bad} pixels of {name} are no finite numbers"
         ));
     }
+    warn_if_black(scene, settings, &image);
     Ok(image)
 }
 

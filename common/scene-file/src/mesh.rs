@@ -2,16 +2,19 @@
 
 mod obj;
 mod other_file;
+mod places;
 mod ply;
 mod ply_header;
 mod ply_numbers;
 mod polygon;
 mod polygons;
+mod sides;
 mod text;
 mod vertex_normals;
 
 use polygon::Triangulator;
 use polygons::{Face, Polygons};
+use vertex_normals::Smoothed;
 
 /// The index of the normal of a corner without one.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -41,8 +44,8 @@ struct Counts {
     crossing: usize,
     /// Faces that name a normal that is missing or that is no direction.
     without_their_normal: usize,
-    /// Triangles with at least one computed normal.
-    smoothed: usize,
+    /// Triangles whose normals were to be computed.
+    smoothed: Smoothed,
 }
 
 /// Three corners, and their normals if all have one.
@@ -204,11 +207,19 @@ impl Mesh {
                 "{faces} {are} flat, with normals that are missing or have no direction"
             ));
         }
-        if smoothed > 0 {
+        let Smoothed { smooth, flat } = smoothed;
+        if smooth > 0 {
             let count = self.triangles.len();
             notes.push(format!(
-                "smooth, with computed normals for {smoothed} of {}, for which the file has none",
+                "smooth, with computed normals for {smooth} of {}, for which the file has none",
                 number_of(count, "triangle")
+            ));
+        }
+        if flat > 0 {
+            notes.push(format!(
+                "flat in spite of smooth = true: {}, with no side in common with another to a \
+                 thousandth of its length, or too narrow, or with normals that cancel out",
+                number_of(flat, "triangle")
             ));
         }
         notes

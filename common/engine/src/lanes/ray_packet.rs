@@ -5,11 +5,12 @@
 //! Ray Tracing, 2001).
 
 use super::{Lanes, Vector3x4, mask, select};
+use crate::vector::scaled;
 use crate::{Hit, Ray};
 
 /// Bound of the rounding error of a hit along the normal, in units of the largest number that the
 /// hit was computed from.
-const OFFSET: f64 = 64.0 * f64::EPSILON;
+pub const OFFSET: f64 = 64.0 * f64::EPSILON;
 
 /// Four rays.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +55,20 @@ impl RayPacket {
             origin: fill(self.origin),
             direction: fill(self.direction),
         }
+    }
+
+    /// These rays with directions that are divided by powers of two, so that they are about as
+    /// long as 1, and these powers. Directions that are none stay.
+    pub fn scaled(self) -> (Self, Lanes) {
+        let scaled = self
+            .direction
+            .to_lanes()
+            .map(|v| scaled(v).unwrap_or((v, 1.0)));
+        let direction = Vector3x4::new(scaled.map(|(direction, _)| direction));
+        (
+            Self { direction, ..self },
+            Lanes::new(scaled.map(|(_, unit)| unit)),
+        )
     }
 
     /// The points `origin + t direction`.

@@ -1,9 +1,9 @@
 //! `ShearedRays`: rays about to be tested against triangles.
 //!
-//! Space is sheared so that the ray is the z axis, and z measured in `t`. (Woop,
+//! Space is sheared so that the ray is the z axis, and z measured in a power of two of `t`. (Woop,
 //! Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.)
 
-use crate::lanes::{Lanes, RayPacket, Vector3x4, select};
+use crate::lanes::{Lanes, RayPacket, Vector3x4, powers_of_two, select};
 
 /// Four sheared rays.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +12,8 @@ pub(crate) struct ShearedRays {
     origin: [Lanes; 3],
     shear: [Lanes; 2],
     scale_z: Lanes,
+    /// `t` of the rays for 1 of `z`: powers of two, which round nothing.
+    pub t_of_z: Lanes,
 }
 
 /// The axes x, y and z of the sheared spaces.
@@ -56,11 +58,14 @@ impl ShearedRays {
         let RayPacket { origin, direction } = *rays;
         let axes = Axes::new(direction, active);
         let [x, y, z] = axes.along(&[direction.x, direction.y, direction.z]);
+        // Areas times depths in `t` might be infinite or 0.
+        let unit = powers_of_two(z);
         Self {
             axes,
             origin: axes.along(&[origin.x, origin.y, origin.z]),
             shear: [x / z, y / z],
-            scale_z: Lanes::ONE / z,
+            scale_z: unit / z,
+            t_of_z: Lanes::ONE / unit,
         }
     }
 

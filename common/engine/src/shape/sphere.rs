@@ -7,7 +7,8 @@ use glam::DVec3;
 
 use super::{Primitive, Rays};
 use crate::lanes::{
-    Lanes, NO_HIT, PacketHit, Vector3x4, copysign, first_positive, select, without,
+    Lanes, NO_HIT, PacketHit, RayPacket, Vector3x4, copysign, first_positive,
+    is_square_for_formulas, positive, select, without,
 };
 use crate::vector::normalized;
 
@@ -47,9 +48,38 @@ impl Primitive for &Sphere {
 
     #[inline]
     fn intersect(shapes: &Spheres, rays: &Rays, _: u32) -> Lanes {
-        let r = shapes.radius;
-        let (f, d) = (rays.packet.origin - shapes.center, rays.packet.direction);
-        let (a, f_d, f_f) = (d.dot(d), f.dot(d), f.dot(f));
+        let d = rays.packet.direction;
+        let a = d.dot(d);
+        if is_square_for_formulas(a).all() {
+            return shapes.intersect(&rays.packet, a);
+        }
+        // As the lesson does: the same operations on numbers that are scaled by powers of two.
+        let (packet, unit) = rays.packet.scaled();
+        let a = packet.direction.dot(packet.direction);
+        positive(shapes.intersect(&packet, a) / unit)
+    }
+
+    #[inline]
+    fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
+        let f = rays.packet.origin - Vector3x4::splat(self.center);
+        let outwards = f + rays.packet.direction * t;
+        let (mut normal, is_unit) = outwards.normalized();
+        if !(is_unit | t.is_nan()).all() {
+            // A distant ray is rounded almost to the centre.
+            let one = |v| normalized(v).unwrap_or(v);
+            normal = Vector3x4::new(outwards.to_lanes().map(one));
+        }
+        PacketHit::with_normals(t, normal, Lanes::splat(self.radius))
+    }
+}
+
+impl Spheres {
+    /// Where rays, whose directions have these squared lengths, meet the spheres.
+    #[inline]
+    fn intersect(&self, rays: &RayPacket, a: Lanes) -> Lanes {
+        let r = self.radius;
+        let (f, d) = (rays.origin - self.center, rays.direction);
+        let (f_d, f_f) = (f.dot(d), f.dot(f));
         let outside = f_f - r * r;
 
         // Most rays miss. Before the root and three quotients, rays are rejected that
@@ -78,18 +108,5 @@ impl Primitive for &Sphere {
         let outwards = f + d * t;
         let largest = outwards.largest_coordinate();
         without(!largest.simd_gt(Lanes::ZERO), t)
-    }
-
-    #[inline]
-    fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
-        let f = rays.packet.origin - Vector3x4::splat(self.center);
-        let outwards = f + rays.packet.direction * t;
-        let (mut normal, is_unit) = outwards.normalized();
-        if !(is_unit | t.is_nan()).all() {
-            // A distant ray is rounded almost to the centre.
-            let one = |v| normalized(v).unwrap_or(v);
-            normal = Vector3x4::new(outwards.to_lanes().map(one));
-        }
-        PacketHit::with_normals(t, normal, Lanes::splat(self.radius))
     }
 }

@@ -36,6 +36,12 @@ impl Transform {
             && size.max(of_inverse) < LARGEST_ENTRY
     }
 
+    /// By how much it makes lengths longer or shorter, at most.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        spectral_norm(self.matrix).max(spectral_norm(self.inverse))
+    }
+
     /// Four rays in the space of the object. Their directions keep the length that the inverse
     /// gives them, so that `t` means the same in both spaces.
     #[inline]

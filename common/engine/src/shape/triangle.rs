@@ -108,8 +108,8 @@ impl Primitive for Triangle {
         let [a, b, c] = corners;
         let determinant = u + v + w;
         let missed = missed | determinant.simd_eq(zero) | are_beside([a, b, c]);
-        let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
-        without(missed, positive(t))
+        let z = (u * a[2] + v * b[2] + w * c[2]) / determinant;
+        without(missed, positive(z * rays.sheared().t_of_z))
     }
 
     #[inline]
