@@ -4,7 +4,7 @@
 //! together (Wald, Slusallek, Benthin and Wagner, Interactive Rendering with Coherent
 //! Ray Tracing, 2001).
 
-use super::{Lanes, Vector3x4, mask, select};
+use super::{Lanes, Vector3x4, is_square_for_formulas, mask, select};
 use crate::vector::scaled;
 use crate::{Hit, Ray};
 
@@ -57,18 +57,18 @@ impl RayPacket {
         }
     }
 
-    /// These rays with directions that are divided by powers of two, so that they are about as
-    /// long as 1, and these powers. Directions that are none stay.
+    /// These rays, where directions that are too long or too short for formulas are divided by
+    /// powers of two, so that they are about as long as 1; and these powers, 1 for the others.
     pub fn scaled(self) -> (Self, Lanes) {
-        let scaled = self
-            .direction
-            .to_lanes()
-            .map(|v| scaled(v).unwrap_or((v, 1.0)));
+        let is_plain = is_square_for_formulas(self.direction.dot(self.direction));
+        let scaled = (self.direction.to_lanes()).map(|v| scaled(v).unwrap_or((v, 1.0)));
         let direction = Vector3x4::new(scaled.map(|(direction, _)| direction));
-        (
-            Self { direction, ..self },
-            Lanes::new(scaled.map(|(_, unit)| unit)),
-        )
+        let unit = Lanes::new(scaled.map(|(_, unit)| unit));
+        let rays = Self {
+            direction: self.direction.or(is_plain, direction),
+            ..self
+        };
+        (rays, select(is_plain, Lanes::ONE, unit))
     }
 
     /// The points `origin + t direction`.

@@ -3,7 +3,7 @@
 //! Space is sheared so that the ray is the z axis, and z measured in a power of two of `t`. (Woop,
 //! Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.)
 
-use crate::lanes::{Lanes, RayPacket, Vector3x4, powers_of_two, select};
+use crate::lanes::{Lanes, RayPacket, Vector3x4, is_square_for_formulas, powers_of_two, select};
 
 /// Four sheared rays.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +59,9 @@ impl ShearedRays {
         let axes = Axes::new(direction, active);
         let [x, y, z] = axes.along(&[direction.x, direction.y, direction.z]);
         // Areas times depths in `t` might be infinite or 0.
-        let unit = powers_of_two(z);
+        let inverse = Lanes::ONE / z;
+        let is_plain = is_square_for_formulas(inverse * inverse);
+        let unit = select(is_plain, Lanes::ONE, powers_of_two(z));
         Self {
             axes,
             origin: axes.along(&[origin.x, origin.y, origin.z]),
