@@ -20,8 +20,8 @@ pub struct SamplingReport {
     pub unseen: f64,
     /// The brightest channel that these objects are assumed to have.
     pub brightest: f64,
-    /// Upper bound of their brightest channel, as far as it follows from the scene: of the light that
-    /// any ray brings back, and of the contrast of any pixel; infinite if it is unknown.
+    /// Upper bound of their brightest channel, which follows from the scene: no ray brings back more
+    /// light; infinite if it is unknown.
     pub max_radiance: f64,
 }
 

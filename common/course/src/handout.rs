@@ -87,6 +87,9 @@ impl Handout {
         let manifest = String::from_utf8_lossy(&manifest);
         let manifest = members_in(&manifest, &workbook);
         workbook.insert("Cargo.toml".to_owned(), manifest.into());
+        let config = workbook.remove(".cargo/config.toml").unwrap_or_default();
+        let config = students_aliases(&String::from_utf8_lossy(&config));
+        workbook.insert(".cargo/config.toml".to_owned(), config.into());
         let last = chosen.last().map_or("", |e| e.stage);
         let readme = README.replace("{stage}", last);
         workbook.insert("README.md".to_owned(), readme.into());
@@ -143,6 +146,20 @@ fn members_in(manifest: &str, workbook: &Workbook) -> String {
     text
 }
 
+/// The configuration of Cargo without the aliases of packages that are not handed out, and without
+/// comments.
+fn students_aliases(config: &str) -> String {
+    let mut text = String::new();
+    for line in config.lines() {
+        let is_others = line.contains("--package ") && !line.contains("--package learn ");
+        if !is_others && !line.starts_with('#') {
+            text += line;
+            text += "\n";
+        }
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,5 +186,8 @@ mod tests {
                 .keys()
                 .all(|path| !path.starts_with("common/course/"))
         );
+        let aliases = String::from_utf8_lossy(&contents[".cargo/config.toml"]);
+        assert!(aliases.contains("--package learn"), "{aliases}");
+        assert!(!aliases.contains("--package course"), "{aliases}");
     }
 }
