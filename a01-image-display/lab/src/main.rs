@@ -1,4 +1,4 @@
-//! Reports error against run time of stage 1, and its extreme cases.
+//! Reports the error of saved pictures against bytes and run time. Stage 1 has no extreme cases.
 
 fn main() -> std::process::ExitCode {
     measure::run(&a01_lab::laboratory())
