@@ -68,7 +68,7 @@ impl Frame {
         }
     }
 
-    /// Writes a text from its upper left corner; each dot of a letter is so many pixels wide, and twice
+    /// Writes a text from its upper left corner; each dot of a letter is `dot` pixels wide, and twice
     /// as high.
     pub fn text(&mut self, [x, y]: [i32; 2], dot: i32, color: u32, text: &str) {
         for (column, row) in dots(text) {

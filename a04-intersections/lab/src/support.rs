@@ -8,7 +8,7 @@ pub use crate::number::Triple;
 use a04_intersections::kinds::{Content, ShapeKind};
 use a04_intersections::{Geometry, Interval, Triangle};
 
-/// The numbers of a shape under a key of its table in a scene file; NaN if it has not so many.
+/// The numbers of a shape under a key of its table in a scene file; NaN if it has not `N` numbers.
 pub fn numbers<const N: usize>(shape: &impl ShapeKind, key: &str) -> [f64; N] {
     let Content::Values(values) = shape.content() else {
         return [f64::NAN; N];

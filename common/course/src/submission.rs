@@ -206,7 +206,7 @@ fn with_names(students: BTreeMap<Vec<String>, Vec<StudentsFile>>) -> Vec<Submiss
 }
 
 impl StudentsFile {
-    /// A file in a place whose path has so many parts.
+    /// A file in a place whose path has `typed` parts.
     fn new(file: HandedFile, typed: usize, course: &'static [Exercise]) -> Self {
         let (name, around) = match file.path.split_last() {
             Some((name, around)) => (name.as_str(), around),

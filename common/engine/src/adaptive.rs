@@ -65,8 +65,8 @@ const STEP: f64 = 0.7;
 /// The least and the largest expected squared error of refined pixels, relative to the one of the
 /// step.
 const REFINED: [f64; 2] = [0.06, 0.6];
-/// Hidden objects are searched for that are as bright as the scene allows, if that is at most so many
-/// times as bright as the brightest light seen, and white. Brighter ones would cost too many samples in
+/// Hidden objects are searched for that are as bright as the scene allows, if that is at most this
+/// multiple of the brightest light seen, and of white. Brighter ones would cost too many samples in
 /// every picture: then nothing is promised.
 const BRIGHTER: f64 = 2.0;
 /// Samples beyond the pilot samples, relative to their number, that the target does not limit:

@@ -36,7 +36,7 @@ pub struct Output {
 }
 
 impl Output {
-    /// At most so many lines from the first, and how many more there are.
+    /// The first lines, at most `most`, and how many more there are.
     pub fn beginning(&self, most: usize) -> (String, usize) {
         let text = String::from_utf8_lossy(&self.kept);
         let first: Vec<_> = text.lines().take(most).collect();

@@ -251,7 +251,7 @@ impl<'a> Gallery<'a> {
         self.job = Job::Done(outcome);
     }
 
-    /// Shows the scene that is so many scenes farther in the list; after the last comes the first.
+    /// Shows the scene that is `scenes` places farther in the list; after the last comes the first.
     pub fn go_on(&mut self, scenes: isize) {
         let count = self.stage.scenes.len() + usize::from(self.file.is_some());
         let number = self.number as isize + scenes;

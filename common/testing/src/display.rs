@@ -134,7 +134,7 @@ impl Drop for Display {
     }
 }
 
-/// Runs a program on a screen whose pixels have so many bits, of which it opens no window, until it ends; none on
+/// Runs a program on a screen whose pixels have `depth` bits, on which it opens no window, until it ends; none on
 /// a machine without the tools. The folder is its current one.
 #[must_use]
 pub fn run_at_depth(depth: u32, program: &str, line: &str) -> Option<(Output, TempDir)> {

@@ -17,7 +17,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// A number; NaN if the row has not so many.
+    /// The number at an index from 0; NaN if the row has fewer.
     pub fn number(&self, index: usize) -> f64 {
         self.numbers.get(index).copied().unwrap_or(f64::NAN)
     }
