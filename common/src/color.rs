@@ -3,8 +3,8 @@
 //! Channels are not limited to 0..=1 while light is added up and filtered;
 //! they are clamped once, when a picture becomes bytes.
 //!
-//! Functions that run for every ray are marked `#[inline]`, because an incremental build inlines
-//! no others across crates.
+//! Functions that run for every ray are marked `#[inline]`, because few others are inlined across
+//! crates.
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
