@@ -184,7 +184,7 @@ fn has_copies(files: &[StudentsFile], level: usize) -> bool {
 fn with_names(students: BTreeMap<Vec<String>, Vec<StudentsFile>>) -> Vec<Submission> {
     let paths: Vec<_> = students.keys().collect();
     let mut shared = 0;
-    while paths.len() > 1
+    while !paths.is_empty()
         && paths
             .iter()
             .all(|path| shared + 1 < path.len() && path[shared] == paths[0][shared])
