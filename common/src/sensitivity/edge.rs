@@ -38,7 +38,10 @@ struct Probe {
 /// Places on each side at which margins are looked at.
 const PROBES: u32 = 4;
 /// How often the search is repeated before an edge that was found.
-const SEARCHES: u32 = 8;
+const SEARCHES: u32 = 4;
+/// As many decisions are followed, the nearest ones. More of them change only in coarse pictures, where
+/// half a pixel is as wide as objects.
+const DECISIONS: usize = 8;
 /// The distance from an edge at which the colours are asked for, relative to the reach.
 const BESIDE: f64 = 1e-7;
 /// A jump of at most this fraction of the colour is none: a byte has 255 steps.
@@ -110,9 +113,13 @@ struct Bracket {
 impl Search<'_> {
     /// The nearest edge between the probes; `bend` becomes the nearest place of a bend.
     fn nearest_edge(&self, probes: &[Probe], bend: &mut Option<f64>) -> Option<Edge> {
+        let nearest_first =
+            |a: &Bracket, b: &Bracket| a.ends[0].0.abs().total_cmp(&b.ends[0].0.abs());
         let mut brackets = self.brackets(probes);
+        brackets.sort_by(nearest_first);
+        brackets.truncate(DECISIONS);
         brackets.extend(self.jump_of_color(probes));
-        brackets.sort_by(|a, b| a.ends[0].0.abs().total_cmp(&b.ends[0].0.abs()));
+        brackets.sort_by(nearest_first);
         let mut nearest: Option<Edge> = None;
         for bracket in brackets {
             let limit = nearest.map_or(f64::INFINITY, |edge| edge.distance.abs());
