@@ -10,25 +10,11 @@ from fractions import Fraction as F
 
 from mpmath import inf, mp, mpf
 
+from vectors import cross, dot, minus, vector
+
 mp.dps = 1000
 STEP = mpf(10) ** -120
 SHAPES = ("plane", "sphere", "box", "disc", "tube")
-
-
-def vector(numbers):
-    return [F(x) for x in numbers]
-
-
-def minus(a, b):
-    return [x - y for x, y in zip(a, b)]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def determinant(a, b, c):

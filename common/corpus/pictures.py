@@ -10,6 +10,8 @@ import re
 import tomllib
 from fractions import Fraction as F
 
+from vectors import cross, dot, minus, vector
+
 CORPUS = pathlib.Path(__file__).resolve().parent
 PICTURES = CORPUS.parent.parent / "book" / "src" / "pictures"
 
@@ -79,22 +81,6 @@ class Drawing:
 def power(exponent):
     digits = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
     return f"10{digits}"
-
-
-def vector(numbers):
-    return [F(x) for x in numbers]
-
-
-def minus(a, b):
-    return [x - y for x, y in zip(a, b)]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def seen(case, along=None):
