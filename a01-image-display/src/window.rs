@@ -19,9 +19,12 @@ use program::{Gallery, NotShown};
 use input::{Event, Input};
 use screen::Screen;
 
-/// How often in a second the loop asks for keys and clicks, with the keyboard and without.
+/// How often in a second the loop asks for keys and clicks while somebody uses the window, and else.
 const OFTEN: usize = 60;
 const RARELY: usize = 10;
+
+/// A window without the keyboard is still used for this time after the mouse has moved over it.
+const USED: Duration = Duration::from_secs(2);
 
 /// A picture that grows is drawn again after this time.
 const GROWN: Duration = Duration::from_millis(50);
@@ -50,11 +53,15 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
     let mut input = Input::of(&mut window);
     let mut screen = Screen::default();
     let (mut drawn, mut changes) = (Instant::now(), 0);
+    let mut used = Instant::now();
     gallery.begin()?;
     while window.is_open() {
-        let rate = if window.is_active() { OFTEN } else { RARELY };
-        window.set_target_fps(rate);
+        let is_used = window.is_active() || used.elapsed() < USED;
+        window.set_target_fps(if is_used { OFTEN } else { RARELY });
         let events = input.events(&window);
+        if !events.is_empty() {
+            used = Instant::now();
+        }
         for event in &events {
             if !obey(*event, input.at, &mut screen, gallery) {
                 return Ok(());
