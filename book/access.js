@@ -37,9 +37,9 @@ const isBuilt = typeof live !== 'undefined';
 const isLivePage = document.querySelector('main img:is([src*="pictures/a0"], [src*="diagrams/"])');
 if ((isLivePage || location.pathname.includes('scene-editor')) && !(isBuilt && live.works)) {
     const note = document.createElement('p');
-    note.className = 'stands-still';
+    note.className = 'not-live';
     note.textContent = isBuilt
-        ? 'The pictures and figures of this page stand still: this browser does not run WebAssembly, or forbids it.'
-        : 'The pictures and figures of this page stand still: the book was built without the target wasm32-unknown-unknown.';
+        ? 'The pictures and figures of this page are not live: this browser does not run WebAssembly, or forbids it.'
+        : 'The pictures and figures of this page are not live: the book was built without the target wasm32-unknown-unknown, which rustup adds.';
     document.querySelector('main h1').after(note);
 }

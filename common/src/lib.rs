@@ -2,10 +2,8 @@
 //! files, scenes, their settings and errors; and the steps of a computation, which wrappers
 //! around the parts of a lesson report.
 //!
-//! This crate does not depend on a window or a terminal; it builds for WebAssembly. The crates in the folders below use it: `measure` for
-//! experiments and extreme cases, `program` for the command line, `testing` for the
-//! tests of the stages, `engine` for the fast renderer, `scene-file` for scenes as files, and
-//! `learn` for the exercises.
+//! This crate needs no window and no terminal, builds for WebAssembly, and depends on no other crate
+//! of the workbook.
 
 pub mod argument;
 pub mod atomic_file;

@@ -49,11 +49,14 @@ pub struct LiveModule {
 }
 
 impl LiveModule {
-    /// Builds the module and the script of the pages. None without the target of a browser.
+    /// Builds the module and the script of the pages. None if the target of a browser is missing and
+    /// cannot be installed.
     pub fn build(exercises: &[yours::Exercise]) -> Result<Option<Self>, String> {
-        if !is_target_installed()? {
+        if let Err(problem) = install_target() {
             println!(
-                "pictures and figures will not be live: that takes 'rustup target add {TARGET}'"
+                "pictures and figures will not be live: {problem}\n\
+                 They need the target {TARGET} of Rust, which rustup adds. Where Rust is not \
+                 installed by rustup, the system's packages may have it."
             );
             return Ok(None);
         }
@@ -77,10 +80,14 @@ impl LiveModule {
     }
 }
 
-fn is_target_installed() -> Result<bool, String> {
+/// Installs the target of a browser, if it is missing.
+fn install_target() -> Result<(), String> {
     let mut rustc = Command::new("rustc");
     let folder = output(rustc.args(["--print", "target-libdir", "--target", TARGET]))?;
-    Ok(Path::new(folder.trim()).is_dir())
+    if Path::new(folder.trim()).is_dir() {
+        return Ok(());
+    }
+    run(Command::new("rustup").args(["target", "add", TARGET]))
 }
 
 /// One script for all pages.

@@ -1,13 +1,15 @@
 //! `cargo book`: builds the book into `target/book`, and checks it.
 //!
-//! 1. The programs that it needs are installed below `target/`, if they are missing (`tools`).
+//! 1. The programs that it needs are installed below `target/`, if they are missing (`tools`), and so
+//!    is the target of a browser, by rustup.
 //! 2. Lists of the files of each stage are written for the chapters (`changes`), and tables of the
 //!    exercises (`exercises`).
 //! 3. The stages become a WebAssembly module, by which the pictures of the pages are live
-//!    (`live_module`, `yours`). Without the target `wasm32-unknown-unknown` they stand still.
+//!    (`live_module`, `yours`).
 //! 4. mdBook builds the pages (`pages`); before, it calls this program to fill in recorded
 //!    figures (`recorded`).
-//! 5. A warning, a broken link, or a file from the network is an error (`pages`, `network`).
+//! 5. A warning or a file from the network is an error (`pages`, `network`), and with
+//!    `--check-links` a broken link, too.
 
 mod changes;
 mod command;
@@ -37,6 +39,9 @@ struct Arguments {
     /// Shows the book in a browser.
     #[arg(long)]
     open: bool,
+    /// Checks all links, too, by a program that is installed the first time.
+    #[arg(long)]
+    check_links: bool,
     /// Shows pictures by this exercise of the reader's beside those of the lesson, such as
     /// `a04-intersections/sphere`.
     #[arg(long, value_name = "STAGE/EXERCISE", value_parser = yours::parse, num_args = 1..)]
@@ -97,6 +102,9 @@ fn run(arguments: &Arguments) -> Result<(), String> {
         _ => {}
     }
     build(&arguments.yours)?;
+    if arguments.check_links {
+        pages::check_links()?;
+    }
 
     if let Some(destination) = destination {
         destination.publish()
@@ -116,7 +124,7 @@ fn build(yours: &[yours::Exercise]) -> Result<(), String> {
     exercises::write()?;
     // The programs take a minute of one core, and the module another.
     let module = std::thread::scope(|scope| {
-        let tools = scope.spawn(tools::install);
+        let tools = scope.spawn(|| tools::install(&tools::OF_THE_PAGES));
         let module = LiveModule::build(yours);
         let outcome = tools
             .join()

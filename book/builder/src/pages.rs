@@ -1,4 +1,4 @@
-//! The pages, by mdBook, and the check of their links.
+//! The pages, by mdBook, and the check of their links, by hyperlink.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,8 +10,7 @@ use crate::{file, tools};
 /// Where the pages are.
 pub const FOLDER: &str = "target/book";
 
-/// Builds the pages. A warning of mdBook is an error, for example of a formula that is wrong, and
-/// so is a link to a page, a picture or a heading that does not exist.
+/// Builds the pages. A warning of mdBook is an error, for example of a formula that is wrong.
 pub fn build(module: Option<&LiveModule>) -> Result<(), String> {
     let mut mdbook = mdbook(module)?;
     let output = mdbook
@@ -25,7 +24,12 @@ pub fn build(module: Option<&LiveModule>) -> Result<(), String> {
     if log.lines().any(is_warning) {
         return Err("the book has warnings".to_owned());
     }
-    copy_scripts(module)?;
+    copy_scripts(module)
+}
+
+/// Checks that each link leads to a page, a picture or a heading.
+pub fn check_links() -> Result<(), String> {
+    tools::install(&[tools::HYPERLINK])?;
     run(tools::command("hyperlink")?.args(["--check-anchors", FOLDER]))
 }
 

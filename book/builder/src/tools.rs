@@ -9,14 +9,15 @@ use crate::command::{output, run};
 use crate::file;
 
 /// A program from crates.io.
-struct Tool {
+pub struct Tool {
     name: &'static str,
     version: &'static str,
     /// Further arguments of `cargo install`.
     arguments: &'static [&'static str],
 }
 
-const TOOLS: [Tool; 3] = [
+/// The programs without which there are no pages.
+pub const OF_THE_PAGES: [Tool; 2] = [
     Tool {
         name: "mdbook",
         version: "0.5.4",
@@ -27,12 +28,14 @@ const TOOLS: [Tool; 3] = [
         version: "0.10.0",
         arguments: &[],
     },
-    Tool {
-        name: "hyperlink",
-        version: "0.3.2",
-        arguments: &[],
-    },
 ];
+
+/// The program that checks links.
+pub const HYPERLINK: Tool = Tool {
+    name: "hyperlink",
+    version: "0.3.2",
+    arguments: &[],
+};
 
 /// A command for one of the programs. It finds the others: mdBook starts mdbook-katex.
 pub fn command(name: &str) -> Result<Command, String> {
@@ -41,16 +44,10 @@ pub fn command(name: &str) -> Result<Command, String> {
     Ok(command)
 }
 
-/// Installs each program whose version is not there yet, one beside the other.
-pub fn install() -> Result<(), String> {
-    std::thread::scope(|scope| {
-        let installations = TOOLS.map(|tool| scope.spawn(move || tool.install()));
-        for installation in installations {
-            let outcome = installation.join();
-            outcome.map_err(|_| "an installation panicked".to_owned())??;
-        }
-        Ok(())
-    })
+/// Installs each program whose version is not there yet, one after the other: they are built in one
+/// folder, in which the second one finds most of its libraries.
+pub fn install(tools: &[Tool]) -> Result<(), String> {
+    tools.iter().try_for_each(Tool::install)
 }
 
 impl Tool {
@@ -67,6 +64,7 @@ impl Tool {
         let mut cargo = Command::new("cargo");
         // A program that runs for a second need not be optimised, and then builds sooner.
         cargo.env("CARGO_PROFILE_DEV_DEBUG", "false");
+        cargo.env("CARGO_TARGET_DIR", folder()?.join("build"));
         cargo.args(["install", "--quiet", "--locked", "--debug", "--root"]);
         cargo.arg(folder()?).arg(format!("{name}@{version}"));
         run(cargo.args(*arguments))

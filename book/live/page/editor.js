@@ -14,7 +14,7 @@ live.Editor = class {
         this.light.onchange = () => this.dependents.hide();
         const controls = live.element('div', { className: 'live-controls' },
             live.element('label', {}, this.light, ' light up the pixels of the cursor’s line'),
-            live.button('the numbers behind a pixel', () => this.ask()));
+            live.button('which number makes a pixel?', () => this.ask()));
         const written = live.element('div', { className: 'live-text' }, this.marks.element, this.text, this.mistake);
         const [pre, paragraph] = [listing.closest('pre'), image.closest('p')];
         const left = live.element('div', {}, written, this.said, controls, pre.nextElementSibling);

@@ -18,12 +18,12 @@ live.Influences = class {
         this.update = live.newest((isFirst) => this.answer(isFirst), complain);
         this.move = live.newest((slider, value) => this.slide(slider, value), complain);
         const buttons = [
-            live.button('every step of this pixel', () => editor.picture.explain(...this.pixel)),
+            live.button('explain a pixel', () => editor.picture.explain(...this.pixel)),
             ' ',
             live.button('close', () => this.close()),
         ];
         const hint = 'The change of the pixel’s linear light for a change of the number by 1, one degree for an angle. At an edge it jumps instead.';
-        this.root = live.panel('The numbers behind a pixel', hint,
+        this.root = live.panel('Which number makes this pixel?', hint,
             live.element('div', { className: 'live-controls' }, 'column ', this.places[0], ' row ', this.places[1]),
             this.list, this.rest, ...buttons);
         this.root.tabIndex = -1;

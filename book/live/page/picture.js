@@ -86,11 +86,12 @@ live.Picture = class {
         const isChanged = Object.entries(this.defaults).some(([key, value]) => this.settings[key] !== value);
         this.frame.dataset.state = isChanged || !this.lock ? 'changed' : hash === this.lock ? 'tested' : 'different';
         const verdict = {
-            tested: `The same bytes as the tested picture: hash ${hash}.`,
+            tested: 'The same bytes as the tested picture.',
             different: `NOT the bytes of the tested picture: hash ${hash}, locked ${this.lock}.`,
-            changed: `Hash ${hash}.`,
+            changed: '',
         }[this.frame.dataset.state];
         const time = this.milliseconds.toFixed(this.milliseconds < 10 ? 1 : 0);
+        this.hash = hash;
         this.status.value = `Rendered here in ${time} ms, ${size}. ${verdict}`;
     }
 
@@ -223,7 +224,7 @@ live.Picture = class {
         }
         button('reset', () => this.startAgain());
         this.probed.value = turns[0]
-            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met; click on it to see the numbers behind it.'
+            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met; click on it to explain it.'
             : 'Point at a pixel to see its bytes.';
         this.status.after(panel, this.probed);
         this.showSettings();

@@ -230,7 +230,7 @@ async function tryNumbers() {
     await shot('editor-pixel', `document.querySelector('.live-editor')`);
 
     // The text counts as drawn before its picture is: so the picture is waited for, by its hash.
-    const hash = `/Hash \\w+/.exec(live.editor.picture.status.value)?.[0]`;
+    const hash = 'live.editor.picture.hash';
     await chromium.until(hash);
     const before = await chromium.value(`[live.editor.text.value, ${hash}]`);
     await chromium.value(`live.editor.influences.list.querySelector('input[type=range]').focus()`);

@@ -137,11 +137,10 @@ const ORDER: [&str; 13] = [
     "three-mesh-bvh",
 ];
 
-/// The table of all results, which a function reads by their names: right of asked answers, and the wrong ones
-/// of each family.
+/// The table of all results, which a function reads by their names: right of asked answers, by family.
 pub fn table(read_results: impl Fn(&str) -> Option<String>) -> Result<String, Problem> {
     let mut text = String::from(
-        "| who answers | right decisions | right values | wrong, by family |\n|---|---|---|---|\n",
+        "| who answers | decisions | values | the families in which not all are right |\n|---|---:|---:|---|\n",
     );
     for name in ORDER {
         let Some(results) = read_results(name) else {
@@ -154,23 +153,23 @@ pub fn table(read_results: impl Fn(&str) -> Option<String>) -> Result<String, Pr
             let family = families.entry(case.question.family).or_default();
             family.add(verdict);
         }
-        let mut wrong = Vec::new();
+        let mut not_all = Vec::new();
         for (family, tally) in families {
             if tally.right < tally.asked {
-                wrong.push(format!("{family}\u{a0}{}", tally.asked - tally.right));
+                not_all.push(format!("{family} {} of {}", tally.right, tally.asked));
             }
         }
         let Head { title, is_single } = head(&results)?;
         let precision = if is_single { " (single)" } else { "" };
-        // Spaces that do not break keep the numbers in one line. A `String` takes all.
+        // A `String` takes all.
         let _ = writeln!(
             text,
-            "| {title}{precision} | {}\u{a0}of\u{a0}{} | {}\u{a0}of\u{a0}{} | {} |",
+            "| {title}{precision} | {} of {} | {} of {} | {} |",
             all.right_decisions,
             all.decisions,
             all.right_values,
             all.values,
-            wrong.join(", "),
+            not_all.join(", "),
         );
     }
     Ok(text)

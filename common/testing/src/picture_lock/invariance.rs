@@ -1,5 +1,5 @@
-//! Checks of all scenes of a stage: their pictures must not depend on the number of
-//! threads, the bands of rows, or the renderer.
+//! Checks of all scenes of a stage: their pictures depend neither on the number of threads nor on
+//! the renderer, and those of one column or one row have their size.
 
 use std::sync::Mutex;
 
