@@ -43,7 +43,6 @@ fn disc_on_gradient(size: Size) -> Vec<u32> {
         .collect()
 }
 
-// ANCHOR: disc
 /// Whether the middle of the pixel lies in the disc. All lengths are doubled,
 /// so that they are whole numbers: dx and dy are twice the distances from
 /// the picture's middle, and dx^2 + dy^2 <= (2r)^2 with 2r half the side.
@@ -53,7 +52,6 @@ fn in_disc(size: Size, x: u32, y: u32) -> bool {
     let side = i64::from(size.width().min(size.height()));
     4 * (dx * dx + dy * dy) <= side * side
 }
-// ANCHOR_END: disc
 
 #[cfg(test)]
 mod tests {

@@ -1,8 +1,8 @@
-//! The page about the corpus has the table that its results give.
+//! The page about extreme cases has the table that the results of the corpus give.
 
 use super::files::{Files, complaint};
 
-const PAGE: &str = "book/src/corpus.md";
+const PAGE: &str = "book/src/extreme-cases.md";
 
 /// The rows that the page lacks.
 pub fn complaints(files: &Files) -> Vec<String> {

@@ -1,4 +1,4 @@
-"""Draws the failures of the page "Who passes" from the cases and the recorded answers.
+"""Draws the failures of the page "Extreme cases" from the cases and the recorded answers.
 
     python3 common/corpus/pictures.py          writes book/src/pictures/corpus-*.svg
 
@@ -29,8 +29,8 @@ path.c0{stroke:#56b4e9}path.c1{stroke:#e69f00}path.c2{stroke:#00be8c}path.c3{str
 text.c0{fill:#56b4e9}text.c1{fill:#e69f00}text.c2{fill:#00be8c}text.c3{fill:#e696c3}text.c5{fill:#f0e442}}"""
 
 
-def cases(name):
-    text = (CORPUS / f"{name}.toml").read_text(encoding="utf-8")
+def cases():
+    text = (CORPUS / "cases.toml").read_text(encoding="utf-8")
     return {case["id"]: case for case in tomllib.loads(text)["case"]}
 
 
@@ -39,7 +39,7 @@ def results(name):
     return dict(line.split(" ") for line in lines)
 
 
-DOUBLES, SINGLES = cases("cases"), cases("single")
+DOUBLES = cases()
 
 
 class Drawing:
@@ -83,10 +83,10 @@ def power(exponent):
     return f"10{digits}"
 
 
-def seen(case, along=None):
+def seen(case):
     """The plane across a ray: a function that gives a point's two coordinates in it, from the ray's point on."""
     o, d = vector(case["ray"]["origin"]), vector(case["ray"]["direction"])
-    axis = along or ([F(0), F(1), F(0)] if abs(d[1]) < abs(d[0]) + abs(d[2]) else [F(1), F(0), F(0)])
+    axis = [F(0), F(1), F(0)] if abs(d[1]) < abs(d[0]) + abs(d[2]) else [F(1), F(0), F(0)]
     u = minus(axis, [x * dot(axis, d) / dot(d, d) for x in d])
     v = cross(u, d)
     lengths = [math.sqrt(dot(u, u)), math.sqrt(dot(v, v))]
@@ -159,31 +159,6 @@ def corner():
     picture.text(middle[0] - 12, middle[1] + 18, "the ray", "c1 end")
     picture.text(14, 292, f"The ray passes {size:.1e} beside the corner, which three triangles share.")
     picture.text(14, 314, "Möller-Trumbore and parry3d-f64 hit none of the three.", "c1")
-    picture.write()
-
-
-def needle():
-    """A needle in single precision, across which a ray passes, drawn much too wide."""
-    case = SINGLES["needle-17"]
-    assert case["answer"] == "miss" and results("embree")["needle-17"] != "miss"
-    a, b, c = (vector(point) for point in case["triangles"][0])
-    place = seen(case, along=minus(b, a))
-    points = [place(p) for p in (a, b, c)]
-    length = max(x for x, _ in points) - min(x for x, _ in points)
-    width = max(abs(y - points[0][1]) for _, y in points)
-    beside = max(abs(y) for _, y in points)
-    picture = Drawing("needle", "A needle that is hit beside it",
-                      "case needle-17 in single precision, seen along the ray; much larger across the needle than along it")
-    reach = max(beside, width)
-    drawn = [(330 + x * 520 / length, 180 - y * 95 / reach) for x, y in points]
-    picture.line(drawn, "f0 face", closed=True)
-    picture.line(drawn, "c0 thick", closed=True)
-    picture.cross(330, 180, "c1", 8)
-    picture.text(346, 176, "the ray: a miss", "c1")
-    picture.text(346, 194, f"Embree and Open3D hit: t = {float(results('embree')['needle-17']):.9f}", "c1")
-    picture.text(14, 290, f"the needle: {length:.2f} long and {width:.1e} wide, seen from the ray; the ray passes {beside:.1e} beside it")
-    picture.text(14, 312, "In single precision, numbers near 700 are 6·10⁻⁵ apart: the ray's own origin is coarser than the needle.",
-                 "small")
     picture.write()
 
 
@@ -286,34 +261,8 @@ def half_size(id):
     return round(math.log10(max(abs(x) for triangle in DOUBLES[id]["triangles"] for corner in triangle for x in corner)))
 
 
-def limit():
-    """Hits that a fixed least distance drops."""
-    picture = Drawing("limit", "Hits nearer than a fixed limit",
-                      "the protocol takes only t above 10⁻³, in units of the direction", height=250)
-    place = lambda t: 60 + (math.log10(t) + 13) * 42
-    picture.line([(60, 170), (650, 170)])
-    for exponent in range(-12, 2, 2):
-        picture.line([(place(10.0**exponent), 166), (place(10.0**exponent), 174)])
-        picture.text(place(10.0**exponent), 192, power(exponent), "small middle")
-    picture.text(355, 214, "exact t", "middle")
-    picture.line([(place(1e-3), 70), (place(1e-3), 184)], "dash c1 thick")
-    picture.text(place(1e-3) + 8, 82, "the limit", "c1")
-    shown = [("contact-04", "below a ball's surface"), ("public-20", "a triangle over a floor"),
-             ("public-22", "the same, higher"), ("contact-10", "before a wall")]
-    for row, (id, words) in zip((0, 1, 0, 2), shown):
-        assert results("protocol")[id] == "miss", id
-        x = place(float(DOUBLES[id]["t"]))
-        picture.line([(x, 170), (x, 146 - 24 * row)], "grid")
-        picture.cross(x, 170, "c0", 5)
-        # The last one stands to the left of the limit.
-        beside, kind = (8, "small end") if row == 2 else (0, "small middle")
-        picture.text(x + beside, 138 - 24 * row, f"{id}: {words}", kind)
-    picture.write()
-
-
 ball()
 corner()
-needle()
 sizes()
 needles = [id for id in DOUBLES if id.startswith("needle") and DOUBLES[id]["answer"] == "hit"]
 errors("needles", "Needles cost digits of t, but need not",
@@ -322,4 +271,3 @@ errors("needles", "Needles cost digits of t, but need not",
 errors("patch", "A patch much larger than the distance to it",
        "cases public-31 and public-32, in units of the condition times one ulp",
        "half size of the patch, 8.5 from the eye", ["public-31", "public-32"], half_size)
-limit()

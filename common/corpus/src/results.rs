@@ -137,10 +137,11 @@ const ORDER: [&str; 13] = [
     "three-mesh-bvh",
 ];
 
-/// The table of all results, which a function reads by their names: right of asked answers, by family.
+/// The table of all results, which a function reads by their names: right of asked answers, and the wrong ones
+/// of each family.
 pub fn table(read_results: impl Fn(&str) -> Option<String>) -> Result<String, Problem> {
     let mut text = String::from(
-        "| who answers | decisions | values | the families in which not all are right |\n|---|---:|---:|---|\n",
+        "| who answers | right decisions | right values | wrong, by family |\n|---|---|---|---|\n",
     );
     for name in ORDER {
         let Some(results) = read_results(name) else {
@@ -153,23 +154,23 @@ pub fn table(read_results: impl Fn(&str) -> Option<String>) -> Result<String, Pr
             let family = families.entry(case.question.family).or_default();
             family.add(verdict);
         }
-        let mut not_all = Vec::new();
+        let mut wrong = Vec::new();
         for (family, tally) in families {
             if tally.right < tally.asked {
-                not_all.push(format!("{family} {} of {}", tally.right, tally.asked));
+                wrong.push(format!("{family}\u{a0}{}", tally.asked - tally.right));
             }
         }
         let Head { title, is_single } = head(&results)?;
         let precision = if is_single { " (single)" } else { "" };
-        // A `String` takes all.
+        // Spaces that do not break keep the numbers in one line. A `String` takes all.
         let _ = writeln!(
             text,
-            "| {title}{precision} | {} of {} | {} of {} | {} |",
+            "| {title}{precision} | {}\u{a0}of\u{a0}{} | {}\u{a0}of\u{a0}{} | {} |",
             all.right_decisions,
             all.decisions,
             all.right_values,
             all.values,
-            not_all.join(", "),
+            wrong.join(", "),
         );
     }
     Ok(text)
