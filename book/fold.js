@@ -1,6 +1,5 @@
-// Folds the sections behind the lesson: numbers for tests, mistakes of the protocol, cases
-// that break, costs, and changes. A link into a fold opens it.
-const folds = ['numbers-to-test-your-own-code-with', 'the-protocols-problem', 'what-can-go-wrong', 'what-it-costs', 'what-changed-since-the-last-stage'];
+// Folds the sections behind the lesson: numbers for tests, and changes. A link into a fold opens it.
+const folds = ['numbers-to-test-your-own-code-with', 'what-changed-since-the-last-stage'];
 
 // The printed book shows all sections.
 for (const id of location.pathname.endsWith('print.html') ? [] : folds) {
