@@ -45,7 +45,12 @@ openTarget();
 
 // On a phone a wide table folds, by the style sheet; its cells then need their heads.
 for (const table of document.querySelectorAll('main table')) {
-    const heads = [...table.querySelectorAll('th')].map((head) => head.textContent);
+    const heads = [...table.querySelectorAll('th')].map((head) => {
+        const copy = head.cloneNode(true);
+        // A formula stands there twice: for the eye, and for screen readers.
+        copy.querySelectorAll('.katex-mathml').forEach((formula) => formula.remove());
+        return copy.textContent;
+    });
     for (const row of table.tBodies[0]?.rows ?? []) {
         [...row.cells].forEach((cell, column) => (cell.dataset.head = heads[column] ?? ''));
     }
