@@ -55,3 +55,16 @@ for (const table of document.querySelectorAll('main table')) {
         [...row.cells].forEach((cell, column) => (cell.dataset.head = heads[column] ?? ''));
     }
 }
+
+// A path or a command breaks at its spaces, and behind a hyphen only where it is longer than a line.
+for (const code of document.querySelectorAll('main :not(pre) > code')) {
+    if (!code.textContent.includes('-')) {
+        continue;
+    }
+    const parts = code.textContent.split(/(\s+)/).map((word) => {
+        const part = document.createElement('span');
+        part.textContent = word;
+        return word.includes('-') ? part : word;
+    });
+    code.replaceChildren(...parts);
+}
