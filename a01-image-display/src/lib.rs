@@ -5,26 +5,25 @@
 //! to the screen is clear before the first ray.
 
 mod canvas;
-mod font;
 mod paint_diagonal;
 mod painter;
+mod program;
 mod scenes;
 mod show_image;
-mod stage;
 #[cfg(feature = "window")]
 mod window;
 
+pub use crate::program::stage;
 pub use canvas::Canvas;
 pub use paint_diagonal::PaintDiagonal;
 pub use painter::Painter;
 pub use show_image::ShowImage;
-pub use stage::stage;
 
 /// The window in which the programs of all stages show their pictures; `None`
 /// in a build without the feature `window`.
 #[cfg(not(target_family = "wasm"))]
 #[must_use]
-pub fn viewer() -> Option<program::Viewer> {
+pub fn viewer() -> Option<::program::Viewer> {
     #[cfg(feature = "window")]
     return Some(window::show);
     #[cfg(not(feature = "window"))]

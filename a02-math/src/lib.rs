@@ -4,21 +4,21 @@
 //! [`Normal3`] the direction that a surface faces. Each wraps three numbers of
 //! glam; meaningless operations, like the sum of two points, do not compile.
 
-#[doc(hidden)]
-pub mod arrays;
 mod direction;
 #[doc(hidden)]
 pub mod mat3x3;
 mod normal3;
 mod point3;
+mod program;
 mod scenes;
-mod stage;
 mod triple;
 mod vector3;
 
+#[doc(hidden)]
+pub use crate::program::arrays;
+pub use crate::program::stage;
 pub use direction::Direction;
 pub use mat3x3::Mat3x3;
 pub use normal3::Normal3;
 pub use point3::Point3;
-pub use stage::stage;
 pub use vector3::Vector3;

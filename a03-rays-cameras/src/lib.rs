@@ -5,26 +5,27 @@
 
 mod bounded_ray;
 mod camera;
-#[doc(hidden)]
-pub mod instruments;
-pub mod kinds;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
+mod program;
 mod random;
 mod ray;
 mod render;
 mod sampler;
 #[doc(hidden)]
 pub mod scenes;
-mod stage;
 mod striped_sky;
 mod view;
 
+pub use crate::program::kinds;
+pub use crate::program::traced_scene::{TracedScene, ViewOfSettings};
+pub use crate::program::traced_world::TracedWorld;
+#[doc(hidden)]
+pub use crate::program::{instruments, instruments::pixel_trace::paint};
+pub use crate::program::{scenes as traced_scenes, stage};
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
-#[doc(hidden)]
-pub use instruments::pixel_trace::paint;
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;
@@ -32,6 +33,5 @@ pub use random::PixelRandom;
 pub use ray::Ray;
 pub use render::{camera_coordinates, render};
 pub use sampler::Sampler;
-pub use stage::{scenes as traced_scenes, stage};
 pub use striped_sky::{StripeRule, StripedSky};
-pub use view::{TracedScene, TracedWorld, View, ViewOfSettings};
+pub use view::View;

@@ -7,19 +7,20 @@
 mod axis_aligned_box;
 mod geometry;
 mod hit;
-#[doc(hidden)]
-pub mod instruments;
 mod interval;
-pub mod kinds;
 mod plane;
+mod program;
 mod scaled_ray;
 #[doc(hidden)]
 pub mod scenes;
 mod sphere;
-mod stage;
 mod triangle;
 mod world;
 
+#[doc(hidden)]
+pub use crate::program::instruments;
+pub use crate::program::kinds;
+pub use crate::program::{scenes as traced_scenes, stage};
 pub use axis_aligned_box::AxisAlignedBox;
 pub use geometry::Geometry;
 pub use hit::Hit;
@@ -27,6 +28,5 @@ pub use interval::Interval;
 pub use plane::Plane;
 pub use scaled_ray::{SQUARED_LENGTHS, hit_of_scaled_ray};
 pub use sphere::Sphere;
-pub use stage::{scenes as traced_scenes, stage};
 pub use triangle::Triangle;
 pub use world::World;

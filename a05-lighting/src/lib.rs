@@ -5,9 +5,6 @@
 //! [`Lighting`], because a later stage has shadows.
 
 mod directional_light;
-#[doc(hidden)]
-pub mod instruments;
-pub mod kinds;
 mod lambert;
 mod light;
 mod lighting;
@@ -17,12 +14,16 @@ mod phong;
 mod point_light;
 #[doc(hidden)]
 pub mod power;
+mod program;
 #[doc(hidden)]
 pub mod scenes;
 mod single_color;
 mod spot_light;
-mod stage;
 
+#[doc(hidden)]
+pub use crate::program::instruments;
+pub use crate::program::kinds;
+pub use crate::program::{scenes as traced_scenes, stage};
 pub use directional_light::DirectionalLight;
 pub use lambert::Lambert;
 pub use light::{Illumination, Light};
@@ -33,4 +34,3 @@ pub use phong::Phong;
 pub use point_light::PointLight;
 pub use single_color::SingleColor;
 pub use spot_light::SpotLight;
-pub use stage::{scenes as traced_scenes, stage};

@@ -4,16 +4,15 @@
 //! geometry that does this for its children.
 
 mod disc;
-pub mod kinds;
 mod mat4x4;
 mod node;
+mod program;
 #[doc(hidden)]
 pub mod scenes;
-mod stage;
 mod transform;
 
+pub use crate::program::{kinds, scenes as traced_scenes, stage, traced};
 pub use disc::Disc;
 pub use mat4x4::Mat4x4;
 pub use node::Node;
-pub use stage::{scenes as traced_scenes, stage, traced};
 pub use transform::Transform;

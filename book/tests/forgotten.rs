@@ -3,11 +3,11 @@
 
 use crate::files::Files;
 
-/// The descriptions of types, in `kinds.rs` of a stage, that no row names.
+/// The descriptions of types, in `program/kinds.rs` of a stage, that no row names.
 pub fn types_without_a_row(files: &Files) -> Vec<String> {
     let mut found = Vec::new();
     for (path, text) in files.rust() {
-        if !path.ends_with("/src/kinds.rs") && !path.contains("/src/kinds/") {
+        if !path.contains("/src/program/kinds") {
             continue;
         }
         for line in text.lines() {

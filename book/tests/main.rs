@@ -3,7 +3,6 @@
 //!
 //! A check returns a complaint with file and line for each mistake.
 
-mod arrows;
 mod files;
 mod forgotten;
 mod include;
@@ -37,7 +36,6 @@ checks! {
     every_listing_shows_something: include::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
     crates_read_no_files_outside_of_them: upwards::complaints;
-    only_rows_and_renderers_know_the_engine: arrows::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
     each_described_type_has_a_row: forgotten::types_without_a_row;
     each_file_of_tests_is_compiled: forgotten::tests_without_a_name;

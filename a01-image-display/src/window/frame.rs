@@ -1,7 +1,7 @@
 //! `Frame`: the pixels of the window, and what is drawn with them.
 
 use crate::canvas::distance;
-use crate::font::dots;
+use crate::canvas::font::dots;
 
 /// A rectangle of the window, in pixels from its upper left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

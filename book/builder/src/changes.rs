@@ -6,9 +6,6 @@ use std::path::{Path, PathBuf};
 
 use crate::file;
 
-/// Files of a stage that are no part of its lesson.
-const NOT_THE_LESSON: [&str; 3] = ["stage", "fast", "instruments"];
-
 /// Writes a list for each stage, which its chapter includes.
 pub fn write() -> Result<(), String> {
     let stages = file::stages()?;
@@ -24,9 +21,7 @@ pub fn write() -> Result<(), String> {
 fn names_from_below(stage: &str, below: &[String]) -> Result<String, String> {
     let mut lesson = String::new();
     for path in sources(stage)? {
-        if !NOT_THE_LESSON.contains(&file::stem(&path).as_str()) {
-            lesson += &file::read(&path)?;
-        }
+        lesson += &file::read(&path)?;
     }
     let mut lines = Vec::new();
     for stage in below {
@@ -59,20 +54,22 @@ fn imported_names(source: &str, crate_name: &str) -> BTreeSet<String> {
     names
 }
 
-/// The files of a stage, with their lengths and the first sentences of their documentation. The
-/// files in a folder belong to the file of its name.
+/// The files and folders of a stage, with their lengths and the first sentences of their documentation.
 fn table_of_files(stage: &str) -> Result<String, String> {
     let mut rows = vec!["| file | lines, about | what it is |\n|---|---:|---|\n".to_owned()];
-    for path in sources(stage)? {
-        let name = file::stem(&path);
-        if name == "lib" || name == "main" {
+    for path in file::entries(&Path::new(stage).join("src"))? {
+        let stem = file::stem(&path);
+        let (name, first, files) = if path.is_dir() {
+            let files = file::files_below(&path)?;
+            (format!("{stem}/"), path.join("mod.rs"), files)
+        } else if stem == "lib" || stem == "main" {
             continue;
-        }
-        let mut files = file::files_below(&path.with_extension(""))?;
-        files.push(path.clone());
+        } else {
+            (format!("{stem}.rs"), path.clone(), vec![path])
+        };
         let lines = count_lines(&files)?;
-        let sentence = first_sentence(&file::read(&path)?);
-        rows.push(format!("| `{name}.rs` | {lines} | {sentence} |\n"));
+        let sentence = first_sentence(&file::read(&first)?);
+        rows.push(format!("| `{name}` | {lines} | {sentence} |\n"));
     }
     let lines = count_lines(&file::files_below(&Path::new(stage).join("lab/src"))?)?;
     let sentence = "The laboratory, a crate of its own: it measures the lesson.";

@@ -5,11 +5,13 @@
 //! `+ - * /` and square roots are used, so that the bytes are the same on
 //! every platform.
 
+pub mod font;
+
 use std::ops::Range;
 
 use common::{Color, Error, Image, Size};
 
-use crate::font::dots;
+use font::dots;
 
 /// Length of an arrow's head, in widths of its line.
 const HEAD_LENGTH: f64 = 6.0;

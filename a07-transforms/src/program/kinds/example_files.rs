@@ -2,13 +2,13 @@
 //! tests that make hostile files of good ones.
 
 /// Names every shape, light and camera.
-pub const SHAPES: &str = include_str!("../../scenes/shapes.toml");
+pub const SHAPES: &str = include_str!("../../../scenes/shapes.toml");
 
 /// Defines shapes, and uses and repeats them.
-pub const BOARD: &str = include_str!("../../scenes/board.toml");
+pub const BOARD: &str = include_str!("../../../scenes/board.toml");
 
 /// The mesh that it names, as `pyramid.obj`.
-pub const PYRAMID: &[u8] = include_bytes!("../../scenes/pyramid.obj");
+pub const PYRAMID: &[u8] = include_bytes!("../../../scenes/pyramid.obj");
 
 /// A mesh in another format.
-pub const STAR: &[u8] = include_bytes!("../../scenes/star.ply");
+pub const STAR: &[u8] = include_bytes!("../../../scenes/star.ply");

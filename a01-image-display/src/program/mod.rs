@@ -1,0 +1,5 @@
+//! What joins the lesson with its program.
+
+mod stage;
+
+pub use stage::stage;

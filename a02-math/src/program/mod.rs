@@ -1,0 +1,6 @@
+//! What joins the lesson with its program, and with tables of inputs.
+
+pub mod arrays;
+mod stage;
+
+pub use stage::stage;

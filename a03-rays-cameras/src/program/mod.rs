@@ -1,0 +1,11 @@
+//! What joins the lesson with its program, the engine and scene files: the scenes by name, the choice of
+//! the renderer, a row for each camera (`kinds`), and wrappers that count and record (`instruments`).
+
+pub mod instruments;
+pub mod kinds;
+mod renderer;
+mod stage;
+pub mod traced_scene;
+pub mod traced_world;
+
+pub use stage::{scenes, stage};

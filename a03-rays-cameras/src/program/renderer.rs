@@ -1,0 +1,42 @@
+//! The choice of the renderer for a view.
+
+use common::{Error, Image, Progress, Renderer, Settings};
+
+use super::instruments::{self, Instruments};
+use super::kinds;
+use crate::{Camera, Ray, View, render};
+
+impl View {
+    /// Renders the picture with the renderer of the settings.
+    pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        let instruments = Instruments::of_settings(settings);
+        if settings.renderer == Renderer::Engine
+            && let Some(scene) = self.world.for_engine(settings.depth)
+        {
+            return kinds::render(scene, &*self.camera, settings, progress);
+        }
+        let bounds = settings.max_error.map(|max_error| {
+            let scene = self.world.for_engine(settings.depth);
+            let max_radiance = scene.map_or(f64::INFINITY, |scene| scene.max_radiance());
+            (max_error, max_radiance)
+        });
+        let Self { camera, world } = match instruments {
+            Some(instruments) => self.recorded(instruments),
+            None => self,
+        };
+        let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
+        let Some((max_error, max_radiance)) = bounds else {
+            return render(&camera, radiance, settings, progress);
+        };
+        let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
+        engine::adaptive::render_image(max_error, max_radiance, &light, settings, progress)
+    }
+
+    /// The view with these instruments.
+    pub(crate) fn recorded(self, instruments: Instruments) -> Self {
+        Self {
+            camera: instruments::recorded::camera(self.camera),
+            world: self.world.recorded(instruments),
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! What joins the lesson with its program, the engine and scene files: the scenes by name, a row for each
+//! shape (`kinds`), and wrappers that count and record (`instruments`).
+
+pub mod instruments;
+pub mod kinds;
+mod stage;
+
+pub use stage::{scenes, stage};

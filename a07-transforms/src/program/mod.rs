@@ -1,0 +1,7 @@
+//! What joins the lesson with its program, the engine and scene files: the scenes by name, and a row for
+//! each shape (`kinds`).
+
+pub mod kinds;
+mod stage;
+
+pub use stage::{scenes, stage, traced};
