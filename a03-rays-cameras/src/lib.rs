@@ -19,11 +19,11 @@ mod striped_sky;
 mod view;
 
 pub use crate::program::kinds;
-pub use crate::program::traced_scene::{TracedScene, ViewOfSettings};
+pub use crate::program::stage;
 pub use crate::program::traced_world::TracedWorld;
+pub use crate::program::views::{Views, traced_scene};
 #[doc(hidden)]
 pub use crate::program::{instruments, instruments::pixel_trace::paint};
-pub use crate::program::{scenes as traced_scenes, stage};
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
 pub use orthographic_camera::OrthographicCamera;

@@ -20,7 +20,7 @@ mod world;
 #[doc(hidden)]
 pub use crate::program::instruments;
 pub use crate::program::kinds;
-pub use crate::program::{scenes as traced_scenes, stage};
+pub use crate::program::stage;
 pub use axis_aligned_box::AxisAlignedBox;
 pub use geometry::Geometry;
 pub use hit::Hit;

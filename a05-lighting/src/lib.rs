@@ -23,7 +23,7 @@ mod spot_light;
 #[doc(hidden)]
 pub use crate::program::instruments;
 pub use crate::program::kinds;
-pub use crate::program::{scenes as traced_scenes, stage};
+pub use crate::program::stage;
 pub use directional_light::DirectionalLight;
 pub use lambert::Lambert;
 pub use light::{Illumination, Light};

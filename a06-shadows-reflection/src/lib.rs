@@ -17,7 +17,7 @@ mod surface;
 #[doc(hidden)]
 pub use crate::program::instruments;
 pub use crate::program::kinds;
-pub use crate::program::{RecursiveWorld, scenes as traced_scenes, stage, traced, traced_with};
+pub use crate::program::{RecursiveWorld, stage, traced, traced_with};
 pub use light_source::LightSource;
 pub use mirror_direction::mirror_direction;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use std::process::ExitCode;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, TracedScene, View};
+use a03_rays_cameras::{PerspectiveCamera, View, traced_scene};
 use a04_intersections::{Plane, Sphere};
 use a05_lighting::PointLight;
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld};
@@ -21,20 +21,18 @@ fn main() -> ExitCode {
 #[must_use]
 pub fn stage() -> Stage {
     let view = |_| dahlia().map(traced);
-    let scene = TracedScene {
-        defaults: Settings {
-            size: Size::new(960, 640).unwrap_or(Size::COURSE),
-            samples: 16,
-            sampling: Sampling::Stratified,
-            renderer: Renderer::Engine,
-            ..Settings::default()
-        },
-        ..TracedScene::new("dahlia", "a dahlia on a mirror", view).reflecting()
+    let defaults = Settings {
+        size: Size::new(960, 640).unwrap_or(Size::COURSE),
+        samples: 16,
+        sampling: Sampling::Stratified,
+        renderer: Renderer::Engine,
+        ..Settings::default()
     };
+    let scene = traced_scene("dahlia", "a dahlia on a mirror", view).reflecting();
     Stage {
         name: "showpiece",
         about: "A dahlia of transformed spheres on a mirror",
-        scenes: vec![scene.into()],
+        scenes: vec![scene.with_defaults(defaults)],
         open: None,
     }
 }

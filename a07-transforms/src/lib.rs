@@ -11,7 +11,7 @@ mod program;
 pub mod scenes;
 mod transform;
 
-pub use crate::program::{kinds, scenes as traced_scenes, stage, traced};
+pub use crate::program::{kinds, stage, traced};
 pub use disc::Disc;
 pub use mat4x4::Mat4x4;
 pub use node::Node;

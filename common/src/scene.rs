@@ -42,8 +42,8 @@ pub enum Picture {
     Traced(Arc<dyn Traced>),
 }
 
-/// A scene of a camera and a world. It is a trait because this crate knows neither: the scenes
-/// of all stages implement it in the same way.
+/// A scene of a camera and a world. It is a trait because this crate knows neither: stage 3
+/// implements it for the scenes of all stages.
 pub trait Traced: Any + Send + Sync {
     /// The picture, by the renderer of the settings.
     fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error>;
@@ -58,8 +58,14 @@ pub trait Traced: Any + Send + Sync {
     /// Why the picture is black all over; none if no mistake is found.
     fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error>;
 
-    /// The rays of the first sample from the side and from above, as SVG.
-    fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error>;
+    /// The rays of the first sample from the side and from above, as SVG, whose title has the name of
+    /// the scene.
+    fn drawing(
+        &self,
+        settings: &Settings,
+        trace: &PixelTrace,
+        scene: &str,
+    ) -> Result<String, Error>;
 
     /// The rays of the first sample after the camera's, as the camera sees them.
     fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error>;
@@ -71,8 +77,8 @@ pub trait Traced: Any + Send + Sync {
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;
 
     /// The numbers of the scene file in the order of its text, with colours in bytes as pictures with
-    /// the transfer of the settings have them; an error if it is no scene of a file.
-    fn numbers(&self, settings: &Settings) -> Result<Vec<NumberPlace>, Error>;
+    /// the transfer of the settings have them; none if it is no scene of a file.
+    fn numbers(&self, settings: &Settings) -> Option<Vec<NumberPlace>>;
 
     /// The same scene with another value of a number of its file; none if this value is not allowed.
     fn with(
@@ -108,12 +114,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A scene that is painted at any size, without rays.
-    pub fn painted(
-        name: &'static str,
-        about: &'static str,
-        paint: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
-    ) -> Self {
+    fn new(name: &'static str, about: &'static str, picture: Picture) -> Self {
         Self {
             name,
             about,
@@ -125,8 +126,24 @@ impl Scene {
             is_large: false,
             files: Vec::new(),
             notes: Vec::new(),
-            picture: Picture::Painted(Arc::new(paint)),
+            picture,
         }
+    }
+
+    /// A scene that is painted at any size, without rays.
+    pub fn painted(
+        name: &'static str,
+        about: &'static str,
+        paint: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
+    ) -> Self {
+        Self::new(name, about, Picture::Painted(Arc::new(paint)))
+    }
+
+    /// A scene of a camera and a world, without mirrors.
+    pub fn traced(name: &'static str, about: &'static str, traced: impl Traced) -> Self {
+        let mut scene = Self::new(name, about, Picture::Traced(Arc::new(traced)));
+        scene.uses.sampling = true;
+        scene
     }
 
     /// A scene that shows a picture file in the size of the file.

@@ -5,7 +5,7 @@ pub mod instruments;
 pub mod kinds;
 mod renderer;
 mod stage;
-pub mod traced_scene;
 pub mod traced_world;
+pub mod views;
 
-pub use stage::{scenes, stage};
+pub use stage::stage;

@@ -3,39 +3,35 @@
 use common::{Color, Sampling, Settings, Size, Stage};
 
 use crate::instruments::Instruments;
-use crate::{Ray, StripeRule, StripedSky, TracedScene, TracedWorld, View, instruments, scenes};
-
-/// The traced scenes in the order of the course.
-#[must_use]
-pub fn scenes() -> [TracedScene; 2] {
-    let about_text = "the text's rule: equal height of the direction; the stripes bend";
-    let about_straight = "the straight stripes of a picture: equal height on a wall";
-    [
-        TracedScene::new("striped-sky", about_text, |size| {
-            scenes::striped_sky(size, StripeRule::Direction).map(View::boxed)
-        }),
-        TracedScene::new("striped-sky-straight", about_straight, |size| {
-            scenes::striped_sky(size, StripeRule::Wall).map(View::boxed)
-        }),
-    ]
-    .map(|scene| TracedScene {
-        defaults: Settings {
-            size: Size::SECOND_COURSE,
-            samples: 100,
-            sampling: Sampling::Stratified,
-            ..Settings::default()
-        },
-        ..scene
-    })
-}
+use crate::{Ray, StripeRule, StripedSky, TracedWorld, View, instruments, scenes, traced_scene};
 
 /// The stage for its program.
 #[must_use]
 pub fn stage() -> Stage {
+    let scenes = [
+        traced_scene(
+            "striped-sky",
+            "the text's rule: equal height of the direction; the stripes bend",
+            |size| scenes::striped_sky(size, StripeRule::Direction).map(View::boxed),
+        ),
+        traced_scene(
+            "striped-sky-straight",
+            "the straight stripes of a picture: equal height on a wall",
+            |size| scenes::striped_sky(size, StripeRule::Wall).map(View::boxed),
+        ),
+    ];
+    let defaults = Settings {
+        size: Size::SECOND_COURSE,
+        samples: 100,
+        sampling: Sampling::Stratified,
+        ..Settings::default()
+    };
     Stage {
         name: "a03-rays-cameras",
         about: "Rays, cameras, sampling and the striped sky",
-        scenes: scenes().map(Into::into).into(),
+        scenes: scenes
+            .map(|scene| scene.with_defaults(defaults.clone()))
+            .into(),
         open: None,
     }
 }

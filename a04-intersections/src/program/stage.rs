@@ -2,7 +2,7 @@
 //! world for the renderers.
 
 use a03_rays_cameras::instruments::Instruments;
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use common::steps::{self, StepKind};
 use common::{Color, Stage};
 use scene_file::WrittenShape;
@@ -12,11 +12,11 @@ use crate::kinds::{self, KINDS};
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 use crate::{Interval, World};
 
-/// The traced scenes in the order of the course.
+/// The stage for its program.
 #[must_use]
-pub fn scenes() -> [TracedScene; 6] {
-    let new = TracedScene::new;
-    [
+pub fn stage() -> Stage {
+    let new = traced_scene;
+    let scenes = vec![
         new("scene-1", "a green plane, up to the horizon", |_| {
             scene_1().map(View::boxed)
         }),
@@ -33,16 +33,11 @@ pub fn scenes() -> [TracedScene; 6] {
         new("scene-6", "the same without perspective", |_| {
             scene_6().map(View::boxed)
         }),
-    ]
-}
-
-/// The stage for its program.
-#[must_use]
-pub fn stage() -> Stage {
+    ];
     Stage {
         name: "a04-intersections",
         about: "Where rays meet planes, boxes, triangles and spheres",
-        scenes: scenes().map(Into::into).into(),
+        scenes,
         open: Some(|path| kinds::FORMAT.open(path)),
     }
 }

@@ -5,4 +5,4 @@ pub mod instruments;
 pub mod kinds;
 mod stage;
 
-pub use stage::{scenes, stage};
+pub use stage::stage;

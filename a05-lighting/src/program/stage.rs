@@ -2,7 +2,7 @@
 //! world for the renderers.
 
 use a03_rays_cameras::instruments::Instruments;
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use a04_intersections::instruments::objects;
 use a04_intersections::instruments::recorded::push_background;
 use a04_intersections::kinds::KINDS as SHAPES;
@@ -16,11 +16,11 @@ use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
 
-/// The traced scenes in the order of the course.
+/// The stage for its program.
 #[must_use]
-pub fn scenes() -> [TracedScene; 6] {
-    let new = TracedScene::new;
-    [
+pub fn stage() -> Stage {
+    let new = traced_scene;
+    let scenes = vec![
         new("lighting-1", "four objects without light", |_| {
             lighting_1().map(View::boxed)
         }),
@@ -41,16 +41,11 @@ pub fn scenes() -> [TracedScene; 6] {
             "and a little light from everywhere",
             |_| phong_spot_ambient().map(View::boxed),
         ),
-    ]
-}
-
-/// The stage for its program.
-#[must_use]
-pub fn stage() -> Stage {
+    ];
     Stage {
         name: "a05-lighting",
         about: "Lights and materials: Lambert and Phong",
-        scenes: scenes().map(Into::into).into(),
+        scenes,
         open: Some(|path| kinds::FORMAT.open(path)),
     }
 }

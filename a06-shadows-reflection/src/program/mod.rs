@@ -5,4 +5,4 @@ pub mod instruments;
 pub mod kinds;
 mod stage;
 
-pub use stage::{RecursiveWorld, scenes, stage, traced, traced_with};
+pub use stage::{RecursiveWorld, stage, traced, traced_with};

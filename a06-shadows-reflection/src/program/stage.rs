@@ -2,7 +2,7 @@
 //! world for the renderers.
 
 use a03_rays_cameras::instruments::Instruments;
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use a04_intersections::instruments::objects;
 use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
 use common::{Color, Stage};
@@ -12,26 +12,21 @@ use crate::instruments::recorded::RecordedWorld;
 use crate::scenes::{aab, sphere};
 use crate::{RecursiveTracer, ShadowedWorld, kinds};
 
-/// The traced scenes in the order of the course.
+/// The stage for its program.
 #[must_use]
-pub fn scenes() -> [TracedScene; 2] {
-    let new = TracedScene::new;
-    [
+pub fn stage() -> Stage {
+    let new = traced_scene;
+    let scenes = vec![
         new("sphere", "three mirroring spheres on a mirror", |_| {
             sphere().map(traced)
         })
         .reflecting(),
         new("aab", "a box and its shadow", |_| aab().map(traced)),
-    ]
-}
-
-/// The stage for its program.
-#[must_use]
-pub fn stage() -> Stage {
+    ];
     Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
-        scenes: scenes().map(Into::into).into(),
+        scenes,
         open: Some(|path| kinds::FORMAT.open(path)),
     }
 }

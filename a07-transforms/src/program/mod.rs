@@ -4,4 +4,4 @@
 pub mod kinds;
 mod stage;
 
-pub use stage::{scenes, stage, traced};
+pub use stage::{stage, traced};

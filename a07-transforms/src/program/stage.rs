@@ -1,19 +1,19 @@
 //! `stage`: the scenes of this stage for its program.
 
-use a03_rays_cameras::{TracedScene, View};
+use a03_rays_cameras::{View, traced_scene};
 use a06_shadows_reflection::{ShadowedWorld, traced_with};
 use common::Stage;
 
 use crate::kinds;
 use crate::scenes::{box_transformations, disc, sphere_transformation};
 
-/// The traced scenes in the order of the course.
+/// The stage for its program.
 #[must_use]
-pub fn scenes() -> [TracedScene; 3] {
-    let new = TracedScene::new;
+pub fn stage() -> Stage {
+    let new = traced_scene;
     let ellipsoid = "a sphere, stretched to an ellipsoid";
     let turned = "a box, stretched and turned three times";
-    [
+    let scenes = vec![
         new("sphere-transformation", ellipsoid, |_| {
             sphere_transformation().map(traced)
         }),
@@ -24,16 +24,11 @@ pub fn scenes() -> [TracedScene; 3] {
             disc().map(traced)
         })
         .reflecting(),
-    ]
-}
-
-/// The stage for its program.
-#[must_use]
-pub fn stage() -> Stage {
+    ];
     Stage {
         name: "a07-transforms",
         about: "Transformed geometry, the scene graph and the disc",
-        scenes: scenes().map(Into::into).into(),
+        scenes,
         open: Some(|path| kinds::FORMAT.open(path)),
     }
 }

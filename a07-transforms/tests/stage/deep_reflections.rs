@@ -34,7 +34,7 @@ fn the_largest_depth_ends_and_every_surface_counts() {
         let rays = scene.rays().unwrap();
         let trace = rays.trace(&settings, [1, 1]).unwrap();
         assert_eq!(trace.color, expected, "{renderer:?}");
-        assert!(rays.drawing(&settings, &trace).is_ok());
+        assert!(rays.drawing(&settings, &trace, scene.name).is_ok());
         assert!(rays.seen_rays(&settings, &trace).is_ok());
     }
 }

@@ -8,14 +8,14 @@ use common::{Color, PixelTrace, Renderer, Scene, Settings, Size};
 use crate::rows::assert_in_the_book;
 
 fn scenes() -> Vec<Scene> {
-    let scenes = [
-        &a03_rays_cameras::traced_scenes()[..],
-        &a04_intersections::traced_scenes(),
-        &a05_lighting::traced_scenes(),
-        &a06_shadows_reflection::traced_scenes(),
-        &a07_transforms::traced_scenes(),
+    let stages = [
+        a03_rays_cameras::stage(),
+        a04_intersections::stage(),
+        a05_lighting::stage(),
+        a06_shadows_reflection::stage(),
+        a07_transforms::stage(),
     ];
-    scenes.concat().into_iter().map(Scene::from).collect()
+    stages.into_iter().flat_map(|stage| stage.scenes).collect()
 }
 
 fn color(step: &Step, symbol: &str) -> Color {
@@ -84,7 +84,9 @@ fn a_drawing_shows_objects_and_rays() {
     let scene = &a06_shadows_reflection::stage().scenes[0];
     let explained = scene.rays().unwrap();
     let trace = explained.trace(&scene.defaults, [250, 250]).unwrap();
-    let drawing = explained.drawing(&scene.defaults, &trace).unwrap();
+    let drawing = explained
+        .drawing(&scene.defaults, &trace, scene.name)
+        .unwrap();
     for (part, times) in [
         ("1: Plane", 2),
         ("4: Sphere", 2),

@@ -3,7 +3,7 @@
 use std::any::Any;
 
 use a02_math::Point3;
-use a03_rays_cameras::{TracedScene, View};
+use a03_rays_cameras::{View, Views};
 use a07_mistakes::{errata, go_wrong};
 use common::{Error, Picture, Scene, Settings, Stage};
 
@@ -58,8 +58,8 @@ pub fn view(picture: &str, settings: &Settings) -> Result<Option<View>, Error> {
         return Ok(None);
     };
     let any: &dyn Any = &*traced;
-    let traced = any.downcast_ref::<TracedScene>();
-    traced.map(|traced| (traced.view)(settings)).transpose()
+    let views = any.downcast_ref::<Views>();
+    views.map(|views| views.view(settings)).transpose()
 }
 
 /// The point that the camera of a picture is rotated around.

@@ -22,7 +22,7 @@ pub fn list_numbers(
     let rays = scene.rays()?;
     let progress = TerminalProgress::new(scene.name, settings.size);
     let threads = options.thread_pool()?;
-    let numbers = rays.numbers(settings)?;
+    let numbers = rays.numbers(settings).ok_or_else(|| no_file(scene))?;
     let mut influences =
         threads.install(|| influences(rays, settings, pixel, &numbers, &progress))?;
     sort_by_strength(&mut influences);
@@ -37,6 +37,13 @@ pub fn list_numbers(
     ))?;
     print(&table(&influences))?;
     print(&without_effect(&influences))
+}
+
+fn no_file(Scene { name, .. }: &Scene) -> Error {
+    Error::Usage(format!(
+        "{name} is a scene of the program, whose numbers stand in its code; name a scene file, such as \
+         one that `export {name} --to toml -o scene.toml` writes"
+    ))
 }
 
 /// The numbers that change the pixel, one on a line.

@@ -84,7 +84,8 @@ fn explain_pixel(
         trace_in_words(scene, &settings, &trace)
     })?;
     if let Some(path) = &arguments.drawing {
-        atomic_file::write(path, rays.drawing(&settings, &trace)?.as_bytes())?;
+        let drawing = rays.drawing(&settings, &trace, scene.name)?;
+        atomic_file::write(path, drawing.as_bytes())?;
         warn(&format!("note: the drawing is {}", text::path(path)));
     }
     if arguments.beside {

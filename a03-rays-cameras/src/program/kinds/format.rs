@@ -2,13 +2,12 @@
 
 use std::cell::{Cell, RefCell};
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
 
-use common::{Error, Sampling, Scene, Settings, Size, Transfer, file, text};
+use common::{Error, Sampling, Scene, Settings, Size, file, text};
 use scene_file::{FirstMistake, Item, Mesh, Meshes, OwnTable, SceneFile};
 
 use crate::kinds::NumberedFile;
-use crate::{TracedScene, View};
+use crate::{View, Views};
 
 /// Most bytes of a scene file and of a mesh.
 const MOST_BYTES: [u64; 2] = [16 << 20, 1 << 30];
@@ -61,35 +60,17 @@ impl Format {
         let notes = notes.unwrap_or_default();
         let at_text = |error| at_place(&place, &text, &error);
         let file = file.map_err(at_text)?;
-        // All constructors must accept the numbers. The first picture takes the view that they
-        // make, if it has the usual transfer.
-        let (defaults, view) = self.scene(&file).map_err(at_text)?;
-        let first = Mutex::new(Some(view));
-        let file = Arc::new(NumberedFile {
+        // All constructors must accept the numbers.
+        let (defaults, _) = self.scene(&file).map_err(at_text)?;
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let views = Views::File(NumberedFile {
             format: self,
-            text,
+            text: text.into(),
             file,
         });
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let opened = Arc::clone(&file);
-        let view = move |settings: &Settings| {
-            let mut first = first.lock().unwrap_or_else(PoisonError::into_inner);
-            if settings.transfer == Transfer::default()
-                && let Some(view) = first.take()
-            {
-                return Ok(view);
-            }
-            drop(first);
-            opened.view(settings)
-        };
-        let mut scene = Scene::from(TracedScene {
-            name: stem.into_owned().leak(),
-            about: "a scene of a file",
-            view: Arc::new(view),
-            reflects: self.stage > 5,
-            defaults,
-            file: Some(file),
-        });
+        let mut scene = Scene::traced(stem.into_owned().leak(), "a scene of a file", views)
+            .with_defaults(defaults);
+        scene.uses.depth = self.stage > 5;
         scene.is_large = triangles.get() > 10_000;
         scene.files = files.into_inner();
         scene.notes = notes;

@@ -1,5 +1,7 @@
 //! `NumberedFile`: the scene file that a scene was read from, whose numbers have their places.
 
+use std::sync::Arc;
+
 use common::sensitivity::NumberPlace;
 use common::{Error, Settings};
 use scene_file::SceneFile;
@@ -12,7 +14,7 @@ pub struct NumberedFile {
     /// How its stage reads it.
     pub format: Format,
     /// Its text.
-    pub text: String,
+    pub text: Arc<str>,
     /// What was read.
     pub file: SceneFile,
 }
@@ -25,14 +27,19 @@ impl NumberedFile {
         self.with_transfer(settings).numbers(&self.text)
     }
 
-    /// The camera and the world of the file.
-    pub fn view(&self, settings: &Settings) -> Result<View, Error> {
-        self.view_of(&self.with_transfer(settings))
+    /// The same file with another value of a number; none if this value is not allowed.
+    #[must_use]
+    pub fn with(&self, settings: &Settings, number: &NumberPlace, value: f64) -> Option<Self> {
+        Some(Self {
+            file: self.file.with(settings.transfer, number, value)?,
+            text: Arc::clone(&self.text),
+            format: self.format,
+        })
     }
 
-    /// The camera and the world of what was read, or of the same with other numbers.
-    pub fn view_of(&self, file: &SceneFile) -> Result<View, Error> {
-        let view = (self.format.view)(file);
+    /// The camera and the world of the file.
+    pub fn view(&self, settings: &Settings) -> Result<View, Error> {
+        let view = (self.format.view)(&self.with_transfer(settings));
         view.map_err(|error| Error::SceneFile(error.within(&self.text)))
     }
 

@@ -1,0 +1,105 @@
+//! `Views`: where the camera and the world of a traced scene come from.
+
+use common::sensitivity::{Footprint, NumberPlace};
+use common::{
+    ArgumentError, Color, Edits, Error, Image, PixelTrace, Progress, Scene, SeenLine, Settings,
+    Size, Traced,
+};
+
+use super::kinds::NumberedFile;
+use crate::View;
+
+/// Where the camera and the world of a traced scene come from.
+pub enum Views {
+    /// A function of a stage's `scenes.rs`, for a picture of this size.
+    Code(fn(Size) -> Result<View, ArgumentError>),
+    /// A scene file.
+    File(NumberedFile),
+}
+
+/// A scene of a stage, without mirrors and with the usual settings.
+pub fn traced_scene(
+    name: &'static str,
+    about: &'static str,
+    view: fn(Size) -> Result<View, ArgumentError>,
+) -> Scene {
+    Scene::traced(name, about, Views::Code(view))
+}
+
+impl Views {
+    /// Camera and world for a picture with these settings, with the camera where a person has moved
+    /// it in the window.
+    pub fn view(&self, settings: &Settings) -> Result<View, Error> {
+        let view = match self {
+            Self::Code(view) => view(settings.size)?,
+            Self::File(file) => file.view(settings)?,
+        };
+        if settings.edits == Edits::default() {
+            return Ok(view);
+        }
+        Ok(view.edited(settings.size, &settings.edits))
+    }
+}
+
+impl Traced for Views {
+    fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        self.view(settings)?.render(settings, progress)
+    }
+
+    fn color(&self, settings: &Settings, pixel: [u32; 2]) -> Result<Color, Error> {
+        Ok(self.view(settings)?.color(settings, pixel))
+    }
+
+    fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
+        Ok(self.view(settings)?.trace(settings, pixel))
+    }
+
+    fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error> {
+        Ok(self.view(settings)?.why_black(settings))
+    }
+
+    fn drawing(
+        &self,
+        settings: &Settings,
+        trace: &PixelTrace,
+        scene: &str,
+    ) -> Result<String, Error> {
+        Ok(self.view(settings)?.drawing(&trace.steps, scene))
+    }
+
+    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error> {
+        let view = self.view(settings)?;
+        Ok(view.seen_rays(settings.size, &trace.steps))
+    }
+
+    fn camera_lines(&self, settings: &Settings) -> Result<String, Error> {
+        self.view(settings)?.camera_lines(settings)
+    }
+
+    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+        self.view(settings)?.export(language, settings)
+    }
+
+    fn numbers(&self, settings: &Settings) -> Option<Vec<NumberPlace>> {
+        match self {
+            Self::Code(_) => None,
+            Self::File(file) => Some(file.numbers(settings)),
+        }
+    }
+
+    fn with(
+        &self,
+        settings: &Settings,
+        number: &NumberPlace,
+        value: f64,
+    ) -> Option<Box<dyn Traced>> {
+        match self {
+            Self::Code(_) => None,
+            Self::File(file) => Some(Box::new(Self::File(file.with(settings, number, value)?))),
+        }
+    }
+
+    fn footprint(&self, settings: &Settings, pixel: Option<[u32; 2]>) -> Result<Footprint, Error> {
+        Ok(self.view(settings)?.footprint(settings.size, pixel))
+    }
+}
