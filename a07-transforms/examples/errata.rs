@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    program::run(&a07_mistakes::errata::stage(), a01_image_display::viewer())
+    program::run(&a07_lab::errata::stage(), a01_image_display::viewer())
 }

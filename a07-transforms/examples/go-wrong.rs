@@ -3,8 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    program::run(
-        &a07_mistakes::go_wrong::stage(),
-        a01_image_display::viewer(),
-    )
+    program::run(&a07_lab::go_wrong::stage(), a01_image_display::viewer())
 }

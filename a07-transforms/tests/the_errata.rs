@@ -2,7 +2,7 @@
 //!
 //! `cargo test` runs them after the pictures of the stage.
 
-use a07_mistakes::{errata, go_wrong};
+use a07_lab::{errata, go_wrong};
 use testing::picture_lock::TestPaths;
 
 const TEST_PATHS: TestPaths = testing::test_paths!();

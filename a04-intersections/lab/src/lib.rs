@@ -5,6 +5,7 @@
 
 pub mod aimed_box;
 pub mod closed_mesh;
+pub mod compare;
 pub mod condition;
 pub mod exact;
 pub mod experiments;
@@ -18,6 +19,7 @@ pub mod random_scene;
 pub mod rows;
 pub mod subject;
 pub mod support;
+pub mod test_shapes;
 
 use measure::Laboratory;
 

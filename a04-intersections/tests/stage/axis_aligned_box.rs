@@ -4,7 +4,7 @@
 
 use a04_intersections::AxisAlignedBox;
 
-use a04_tests::support::{Case, assert_hits, hit, point, ray};
+use a04_lab::test_shapes::{Case, assert_hits, hit, point, ray};
 
 fn box_between(lbf: [f64; 3], run: [f64; 3]) -> AxisAlignedBox {
     AxisAlignedBox::new(point(lbf), point(run)).unwrap()

@@ -5,7 +5,7 @@
 use a02_math::Direction;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
 
-use a04_tests::support::{point, ray, vector};
+use a04_lab::test_shapes::{point, ray, vector};
 
 /// An interval that contains 0.
 const AROUND: Interval = Interval {

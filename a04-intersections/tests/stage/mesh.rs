@@ -5,7 +5,7 @@ use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::Triangle;
 use a04_lab::mesh::Mesh;
 
-use a04_tests::support::{hit, random_vector, vector};
+use a04_lab::test_shapes::{hit, random_vector, vector};
 
 /// The middle and the corners of a sphere of triangles whose corners are moved by up to a
 /// third towards the middle, so that faces are crooked and of unlike shapes; then flattened by

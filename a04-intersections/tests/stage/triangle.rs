@@ -8,7 +8,7 @@ use a04_lab::support::Numbers;
 use approx::assert_abs_diff_eq;
 use testing::assert_refused;
 
-use a04_tests::support::{assert_hits, eighths, hit, point, ray};
+use a04_lab::test_shapes::{assert_hits, eighths, hit, point, ray};
 
 const X: Normal3 = Normal3::new(1.0, 0.0, 0.0);
 const Y: Normal3 = Normal3::new(0.0, 1.0, 0.0);

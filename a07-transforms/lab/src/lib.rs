@@ -4,8 +4,10 @@
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub mod asked;
+pub mod errata;
 mod experiments;
 mod extremes;
+pub mod go_wrong;
 pub mod nested_nodes;
 pub mod protocol;
 

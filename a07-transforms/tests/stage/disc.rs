@@ -6,7 +6,7 @@ use a04_intersections::{Geometry, Interval};
 use a07_transforms::Disc;
 use testing::assert_refused;
 
-use a04_tests::support::{assert_hits, point, ray};
+use a04_lab::test_shapes::{assert_hits, point, ray};
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 

@@ -9,7 +9,7 @@ use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Trian
 use a07_transforms::{Node, Transform};
 use approx::assert_abs_diff_eq;
 
-use a04_tests::support::{hit, point, random_ray, random_shape, random_vector, ray};
+use a04_lab::test_shapes::{hit, point, random_ray, random_shape, random_vector, ray};
 
 fn unit_sphere() -> Sphere {
     Sphere::new(Point3::ORIGIN, 1.0).unwrap()

@@ -4,7 +4,7 @@
 use a07_transforms::Transform;
 use testing::assert_refused;
 
-use a04_tests::support::point;
+use a04_lab::test_shapes::point;
 
 const START: Transform = Transform::IDENTITY;
 

@@ -4,7 +4,7 @@ use std::any::Any;
 
 use a02_math::Point3;
 use a03_rays_cameras::{View, Views};
-use a07_mistakes::{errata, go_wrong};
+use a07_lab::{errata, go_wrong};
 use common::{Error, Picture, Scene, Settings, Stage};
 
 use crate::file;

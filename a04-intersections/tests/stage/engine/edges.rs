@@ -5,9 +5,9 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
+use a04_lab::compare::compare;
 use a04_lab::support::Numbers;
-use a04_tests::compare::compare;
-use a04_tests::support::eighths;
+use a04_lab::test_shapes::eighths;
 use common::Color;
 
 /// The number of rays that hit one of these shapes, as the engine and the list agree.

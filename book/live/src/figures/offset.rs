@@ -1,7 +1,7 @@
 //! Shadow rays that leave their surface by any length: from acne to detached shadows.
 
 use a06_shadows_reflection::secondary_ray;
-use a07_mistakes::go_wrong::{by, shadows, sunwards};
+use a07_lab::go_wrong::{by, shadows, sunwards};
 use common::{Settings, Size};
 
 use super::Answered;

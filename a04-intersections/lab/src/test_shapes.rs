@@ -1,12 +1,13 @@
-//! Short forms for points, rays and hits, tables of exact hits, and random shapes and rays.
+//! Short forms for points, rays and hits, tables of exact hits, and random shapes and rays, for the tests
+//! of this stage and of those above.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
-use a04_lab::support::Numbers;
 use common::ArgumentError;
 
-pub use a04_lab::support::{point, vector};
+use crate::support::Numbers;
+pub use crate::support::{point, vector};
 
 /// A ray whose direction keeps its length.
 #[must_use]

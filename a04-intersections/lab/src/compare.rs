@@ -1,5 +1,5 @@
 //! Compares the hits of the engine with the hits of the lesson's list, bit by bit, in a
-//! picture in which a pixel is the hit of a ray of its own.
+//! picture in which a pixel is the hit of a ray of its own, for the tests of this stage and of those above.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 

@@ -9,11 +9,11 @@ use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere};
 use a04_lab::formula::sphere::Shot;
 use a04_lab::line::Line;
 use a04_lab::protocol::{self, Compared};
-use a07_lab::protocol::{Chained, last_hit, transposed_normal, unnormalized_normal};
 use a07_transforms::{Node, Transform};
 use common::{Color, Error, Scene};
 
 use super::{Made, beside, camera, shade, traced};
+use crate::protocol::{Chained, last_hit, transposed_normal, unnormalized_normal};
 
 const LBF: Point3 = Point3::new(0.1, 0.2, 0.3);
 const RUN: Point3 = Point3::new(0.7, 1.1, 0.9);
