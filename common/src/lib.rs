@@ -1,6 +1,6 @@
-//! Types that every stage needs and no lesson teaches: colours, pictures, picture
-//! files, scenes, their settings and errors; and the steps of a computation, which wrappers
-//! around the parts of a lesson report.
+//! Types that every stage needs and no lesson teaches: colours, pictures, picture files, scenes, their
+//! settings and errors; and in the folder `trace` the steps of a computation, which wrappers around
+//! the parts of a lesson report.
 //!
 //! This crate needs no window and no terminal, builds for WebAssembly, and depends on no other crate
 //! of the workbook.
@@ -9,7 +9,6 @@ pub mod argument;
 pub mod atomic_file;
 mod color;
 pub mod difference;
-pub mod divergence;
 mod error;
 pub mod file;
 mod hash;
@@ -17,17 +16,15 @@ mod image;
 mod median;
 mod omission;
 pub mod picture_file;
-pub mod pixel_trace;
 mod progress;
 mod sampling_report;
 mod scene;
-pub mod sensitivity;
 mod settings;
 mod size;
 mod stage;
-pub mod steps;
 pub mod svg;
 pub mod text;
+mod trace;
 mod transfer;
 
 pub use argument::ArgumentError;
@@ -37,11 +34,12 @@ pub use hash::fnv1a;
 pub use image::Image;
 pub use median::Median;
 pub use omission::{Omission, Omissions};
-pub use pixel_trace::PixelTrace;
 pub use progress::Progress;
 pub use sampling_report::SamplingReport;
 pub use scene::{Paint, Picture, Scene, SeenLine, Traced, UsedSettings};
 pub use settings::{Edits, Renderer, Sampling, Settings};
 pub use size::Size;
 pub use stage::Stage;
+pub use trace::pixel_trace::PixelTrace;
+pub use trace::{divergence, pixel_trace, sensitivity, steps};
 pub use transfer::Transfer;
