@@ -5,7 +5,6 @@
 
 pub mod aimed_box;
 pub mod closed_mesh;
-pub mod compare;
 pub mod condition;
 pub mod exact;
 pub mod experiments;
@@ -17,6 +16,8 @@ pub mod number;
 pub mod protocol;
 pub mod random_scene;
 pub mod rows;
+pub mod same_hits;
+pub mod same_pictures;
 pub mod subject;
 pub mod support;
 pub mod test_shapes;

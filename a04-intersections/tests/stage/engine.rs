@@ -7,7 +7,7 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use a04_lab::compare::compare;
+use a04_lab::same_hits::compare;
 use a04_lab::support::Numbers;
 use common::Color;
 

@@ -2,7 +2,8 @@
 
 use a03_rays_cameras::View;
 use a04_intersections::World;
-use a04_lab::random_scene::{Place, compare_all, compare_thousands};
+use a04_lab::random_scene::Place;
+use a04_lab::same_pictures::{compare_all, compare_thousands};
 use common::{ArgumentError, Color};
 
 /// A scene of shapes with a colour each.

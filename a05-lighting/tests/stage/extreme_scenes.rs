@@ -2,7 +2,8 @@
 //! lights.
 
 use a03_rays_cameras::View;
-use a04_lab::random_scene::{Place, compare_forty, compare_thousands};
+use a04_lab::random_scene::Place;
+use a04_lab::same_pictures::{compare_forty, compare_thousands};
 use a05_lighting::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };

@@ -5,7 +5,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::Shared;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, Triangle, World};
-use a04_lab::compare::compare;
+use a04_lab::same_hits::compare;
 use a04_lab::support::Numbers;
 use a07_transforms::kinds::KINDS;
 use a07_transforms::{Disc, Mat4x4, Node, Transform};

@@ -4,7 +4,8 @@
 use a02_math::Point3;
 use a03_rays_cameras::{Ray, View};
 use a04_intersections::{Geometry, Interval};
-use a04_lab::random_scene::{Place, compare_forty, compare_thousands};
+use a04_lab::random_scene::Place;
+use a04_lab::same_pictures::{compare_forty, compare_thousands};
 use a05_lighting::PointLight;
 use a06_lab::random_scene::world;
 use a06_shadows_reflection::LightSource;

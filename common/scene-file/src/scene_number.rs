@@ -1,36 +1,23 @@
 //! The numbers of a scene file with their places in the text. A file with another number is another
 //! value, for which the text is not read again.
 
+mod written;
+
 use std::collections::HashMap;
 use std::ops::Range as Bytes;
 
+use common::Transfer;
 use common::sensitivity::{NumberPlace, Unit};
-use common::{Transfer, text};
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
 
 use crate::{Data, Item, Key, SceneFile};
-
-/// A value of a text in TOML that has numbers, or a text.
-struct Written {
-    /// The table, such as `[[sphere]] #2`.
-    table: String,
-    /// The keys behind the table, up to the one of the value.
-    key: String,
-    /// The bytes of each number; those of the text in quotation marks.
-    parts: Vec<Bytes<usize>>,
-}
+use written::{Lines, Written};
 
 impl SceneFile {
     /// All numbers of the file, of which this is the text, in the order of the text. Those inside of a
     /// definition or a repeat are there once, and a colour in a text is three numbers.
     #[must_use]
     pub fn numbers(&self, text: &str) -> Vec<NumberPlace> {
-        let Ok(table) = DeTable::parse(text) else {
-            return Vec::new();
-        };
-        let mut written = HashMap::new();
-        add_table(table.get_ref(), "", "", &mut written);
+        let mut written = written::values(text);
         let lines = Lines::new(text);
         let mut numbers = Vec::new();
         let singles = [&self.picture, &self.camera, &self.world];
@@ -190,107 +177,6 @@ fn of_color(text: &str, parts: &[Bytes<usize>]) -> Vec<Bytes<usize>> {
     let width = digits / 3;
     let channel = |i| start + i * width..start + (i + 1) * width;
     (0..3).map(channel).collect()
-}
-
-/// Adds the values of a table of the text, by their positions.
-fn add_table(table: &DeTable, path: &str, keys: &str, written: &mut HashMap<usize, Written>) {
-    for (name, value) in table {
-        let name = text::name(name.get_ref());
-        let key = join(keys, &name);
-        match value.get_ref() {
-            DeValue::Table(inner) if path.is_empty() => {
-                add_tables_of(&name, inner, written);
-            }
-            DeValue::Table(inner) => add_table(inner, path, &key, written),
-            DeValue::Array(list) if is_of_tables(list.iter()) => {
-                for (number, inner) in (1..).zip(list.iter()) {
-                    let DeValue::Table(inner) = inner.get_ref() else {
-                        continue;
-                    };
-                    if name == "transform" {
-                        add_table(inner, path, &format!("{key} step {number}:"), written);
-                    } else {
-                        let path = join(path, &format!("[[{name}]] #{number}"));
-                        add_table(inner, &path, "", written);
-                    }
-                }
-            }
-            _ => add_value(path, key, value, written),
-        }
-    }
-}
-
-/// Adds a table at the top of the file: one of its own, such as `[camera]`, or one of several with
-/// names, such as `[material.red]`.
-fn add_tables_of(name: &str, table: &DeTable, written: &mut HashMap<usize, Written>) {
-    for (key, value) in table {
-        let inner = text::name(key.get_ref());
-        match value.get_ref() {
-            DeValue::Table(of_name) => {
-                add_table(of_name, &format!("[{name}.{inner}]"), "", written);
-            }
-            _ => add_value(&format!("[{name}]"), inner, value, written),
-        }
-    }
-}
-
-fn is_of_tables<'a, 'b: 'a>(mut list: impl Iterator<Item = &'a Spanned<DeValue<'b>>>) -> bool {
-    list.any(|value| matches!(value.get_ref(), DeValue::Table(_)))
-}
-
-fn add_value(
-    table: &str,
-    key: String,
-    value: &Spanned<DeValue>,
-    written: &mut HashMap<usize, Written>,
-) {
-    let mut parts = Vec::new();
-    add_parts(value, &mut parts);
-    let found = Written {
-        table: table.to_owned(),
-        key,
-        parts,
-    };
-    written.insert(value.span().start, found);
-}
-
-/// Adds the bytes of the numbers in a value, or those of the value itself.
-fn add_parts(value: &Spanned<DeValue>, parts: &mut Vec<Bytes<usize>>) {
-    match value.get_ref() {
-        DeValue::Array(list) => list.iter().for_each(|value| add_parts(value, parts)),
-        _ => parts.push(value.span()),
-    }
-}
-
-fn join(before: &str, behind: &str) -> String {
-    if before.is_empty() {
-        return behind.to_owned();
-    }
-    format!("{before} {behind}")
-}
-
-/// Where the lines of a text begin.
-struct Lines<'a> {
-    text: &'a str,
-    starts: Vec<usize>,
-}
-
-impl<'a> Lines<'a> {
-    fn new(text: &'a str) -> Self {
-        let newlines = text.match_indices('\n').map(|(at, _)| at + 1);
-        let starts = std::iter::once(0).chain(newlines).collect();
-        Self { text, starts }
-    }
-
-    /// The line and the column of a byte, each from 1.
-    fn place(&self, at: usize) -> (usize, usize) {
-        let line = self.starts.partition_point(|start| *start <= at);
-        let start = self.starts.get(line - 1).copied().unwrap_or_default();
-        let before = self.text.get(start..at).unwrap_or_default();
-        // A byte order mark has no column.
-        let before = before.trim_start_matches('\u{FEFF}');
-        (line, before.chars().count() + 1)
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,238 @@
+//! Reports powers, light and colours, by wrappers around materials; with all work, every material asks
+//! all lights, and a Phong material takes a power for each.
+
+use std::cell::Cell;
+
+use a02_math::{Direction, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use a04_intersections::instruments::recorded as geometries;
+use common::steps::{self, Outcome, Step, StepKind, type_name};
+use common::{Color, Omission, Omissions};
+
+use crate::kinds::Materials;
+use crate::power::power;
+use crate::{Illumination, Lambert, Lighting, Material, Phong};
+
+/// Wraps this material, whose type may have one of these rows, to report its work; it leaves
+/// out the work of `omissions`.
+pub fn material(
+    material: Box<dyn Material>,
+    kinds: Materials,
+    omissions: Omissions,
+) -> Box<dyn Material> {
+    Box::new(RecordedMaterial {
+        material,
+        kinds,
+        is_lit_from_behind: true,
+        omissions,
+    })
+}
+
+/// A material whose work is reported.
+#[derive(Debug)]
+pub struct RecordedMaterial {
+    /// The material.
+    pub material: Box<dyn Material>,
+    /// The rows of materials.
+    pub kinds: Materials,
+    /// Whether light from behind the surface reaches the material.
+    pub is_lit_from_behind: bool,
+    /// The work that it leaves out.
+    pub omissions: Omissions,
+}
+
+impl Material for RecordedMaterial {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        let light = RecordedLighting {
+            ray,
+            hit,
+            recorded: self,
+            lighting,
+            is_used: Cell::new(false),
+        };
+        let color = shaded(ray, hit, self.kinds, &*self.material, || {
+            match self.kinds.as_phong(&*self.material) {
+                Some(phong) if self.takes_every_power() => {
+                    with_every_power(phong, ray, hit, &light)
+                }
+                _ => self.material.color_for(ray, hit, &light),
+            }
+        });
+        if !light.is_used.get() && !self.omissions.contains(Omission::UnlitSurfaces) {
+            steps::untraced(|| light.for_each_light(ray, hit, &mut |_| ()));
+        }
+        color
+    }
+}
+
+/// The colour of a Phong material with the power of each light, also of one whose highlight is
+/// black or not mirrored to the eye.
+fn with_every_power(phong: &Phong, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+    let mut color = phong.matt.ambient(lighting);
+    lighting.for_each_light(ray, hit, &mut |light| {
+        let r = light.direction.reflected_on(hit.normal);
+        let cosine = (-ray.direction()).dot(r);
+        let power = power(cosine.clamp(0.0, 1.0), phong.exponent);
+        let highlight = phong.specular * light.color * power;
+        let is_mirrored = hit.normal.dot(light.direction) > 0.0 && cosine > 0.0;
+        let seen = if is_mirrored { highlight } else { Color::BLACK };
+        color += phong.matt.diffuse_term(hit, light) + seen;
+    });
+    color
+}
+
+/// Reports the nearest hit, and the colour of its material with the steps of `shade`, which
+/// computes it.
+pub fn shaded(
+    ray: &Ray,
+    hit: &Hit,
+    kinds: Materials,
+    material: &dyn Material,
+    shade: impl FnOnce() -> Color,
+) -> Color {
+    geometries::shaded(ray, hit, || {
+        let color = shade();
+        steps::heading(StepKind::Color, |kind| {
+            step(kind, "colour", kinds, material).with("c", color.channels())
+        });
+        color
+    })
+}
+
+/// The step of a part of a material's colour.
+fn step(kind: StepKind, part: &str, kinds: Materials, material: &dyn Material) -> Step {
+    let name = format!("{part} of {}", type_name(material));
+    Step::new(kind, name, kinds.section(material))
+}
+
+impl RecordedMaterial {
+    /// Whether a Phong material takes powers for highlights that nobody sees.
+    const fn takes_every_power(&self) -> bool {
+        !self.omissions.contains(Omission::UnseenHighlights)
+    }
+
+    /// The ambient light that the material reflects.
+    fn ambient(&self, kind: StepKind, ray: &Ray, hit: &Hit, ambient: Color) -> Step {
+        let of = |ambient| self.material.color_for(ray, hit, &OneLight(ambient, None));
+        step(kind, "ambient light", self.kinds, &*self.material)
+            .with("ca", ambient.channels())
+            .with("cd", of(Color::WHITE).channels())
+            .with("c", of(ambient).channels())
+    }
+
+    /// The part of one light that the material reflects, and both terms of a Phong material.
+    fn reflected(&self, kind: StepKind, ray: &Ray, hit: &Hit, light: &Illumination) -> Step {
+        let only = OneLight(Color::BLACK, Some(*light));
+        let mut step = step(kind, "light", self.kinds, &*self.material);
+        if let Some(phong) = self.kinds.as_phong(&*self.material) {
+            let diffuse = Color::BLACK;
+            let highlight = Phong {
+                matt: Lambert { diffuse },
+                ..*phong
+            };
+            let r = light.direction.reflected_on(hit.normal);
+            step = step
+                .with("diffuse", phong.matt.diffuse_term(hit, light).channels())
+                .with("cs", phong.specular.channels())
+                .with("e·r", [(-ray.direction()).dot(r)])
+                .with("exponent", [phong.exponent])
+                .with("specular", highlight.color_for(ray, hit, &only).channels());
+        }
+        let color = self.material.color_for(ray, hit, &only);
+        step.with("c", color.channels())
+    }
+}
+
+/// Ambient light and at most one light that arrives, for one term of a material's sum.
+struct OneLight(Color, Option<Illumination>);
+
+impl Lighting for OneLight {
+    fn ambient(&self) -> Color {
+        self.0
+    }
+
+    fn for_each_light(&self, _: &Ray, _: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.1.iter().for_each(shade);
+    }
+}
+
+/// Light on its way to a material, which may take a power for it.
+struct RecordedLighting<'a> {
+    recorded: &'a RecordedMaterial,
+    /// The ray and the hit that are shaded.
+    ray: &'a Ray,
+    hit: &'a Hit,
+    lighting: &'a dyn Lighting,
+    /// Whether the material has used the lights.
+    is_used: Cell<bool>,
+}
+
+impl Lighting for RecordedLighting<'_> {
+    fn ambient(&self) -> Color {
+        let ambient = self.lighting.ambient();
+        steps::push(StepKind::Ambient, |kind| {
+            self.recorded.ambient(kind, self.ray, self.hit, ambient)
+        });
+        ambient
+    }
+
+    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.is_used.set(true);
+        let recorded = self.recorded;
+        let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
+        self.lighting.for_each_light(ray, hit, &mut |light| {
+            let phong = recorded.kinds.as_phong(&*recorded.material);
+            let takes_every_power = phong.is_some() && recorded.takes_every_power();
+            let is_seen = phong.is_some_and(|phong| is_seen(phong, ray, hit, light));
+            steps::count(StepKind::Power, (takes_every_power || is_seen).into());
+            let is_lit = recorded.is_lit_from_behind || hit.normal.dot(light.direction) > 0.0;
+            if is_lit {
+                steps::push(StepKind::ReflectedLight, |kind| {
+                    recorded.reflected(kind, ray, hit, light)
+                });
+            }
+            if is_lit || takes_every_power {
+                shade(light);
+            }
+        });
+        steps::so_far(|steps| add_outcomes(&mut steps[first..], hit));
+    }
+}
+
+/// Whether the highlight of a light is seen, so that the lesson takes its power.
+fn is_seen(phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
+    let (e, l) = (-ray.direction(), light.direction);
+    let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;
+    is_mirrored && phong.specular != Color::BLACK
+}
+
+/// Adds to the step of each light whether it arrives at the hit, or why it does not.
+fn add_outcomes(steps: &mut [Step], hit: &Hit) {
+    let level = steps.first().map_or(0, |step| step.level);
+    for block in steps.chunk_by_mut(|_, next| next.level > level) {
+        let Some((light, parts)) = block.split_first_mut() else {
+            continue;
+        };
+        let arrives = parts
+            .iter()
+            .any(|step| step.kind == StepKind::ReflectedLight);
+        light.values.push(("arrives", vec![f64::from(arrives)]));
+        let Some(l) = light.value("l").map(|l| Vector3::from_glam(l.into())) else {
+            light.outcome = Outcome::Dark;
+            continue;
+        };
+        let cosine = hit.normal.dot(l);
+        // The search ends at the object that blocks the light; an object before it in the
+        // list may hold the lamp.
+        let mut tests = parts.iter().filter(|step| step.kind == StepKind::Test);
+        light.outcome = match tests.rfind(|test| test.outcome == Outcome::Hit) {
+            _ if arrives => Outcome::Arrives,
+            Some(test) if cosine > 0.0 => Outcome::BlockedBy(test.name.clone()),
+            _ => Outcome::BehindSurface,
+        };
+        let angle = Vector3::from(hit.normal).angle(l).to_degrees();
+        light.values.push(("n·l", vec![cosine]));
+        light.values.push(("degrees", vec![angle]));
+    }
+}
