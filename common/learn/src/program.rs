@@ -1,5 +1,8 @@
-//! `program`: writes a program outside of the workbook, with the student's functions in it and, until
-//! they are done, those of the solutions.
+//! `program`: brings the functions of exercises into a program of the student's, outside of the workbook.
+//!
+//! The student has made the program by `cargo new`, and its `main.rs` is theirs: nothing here writes it.
+//! Its file `functions.rs` is written anew each time; a file in `functions` only as long as the student has
+//! not edited it there.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,122 +14,141 @@ use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
 
-/// The files of the program without its functions, which are in the files of exercises.
-const FILES: [(&str, &str); 7] = [
-    ("functions", include_str!("../program/src/functions.rs")),
-    ("lights", include_str!("../program/src/lights.rs")),
-    ("main", include_str!("../program/src/main.rs")),
-    ("materials", include_str!("../program/src/materials.rs")),
-    ("mesh", include_str!("../program/src/mesh.rs")),
-    ("prelude", include_str!("../program/src/prelude.rs")),
-    ("transform", include_str!("../program/src/transform.rs")),
-];
+/// Exercises whose functions take types that only their checks have.
+const LEFT_OUT: [&str; 2] = ["chain", "stripe"];
 
-/// The manifest, with `{workbook}` instead of its folder, and the names of two libraries in braces
-/// instead of their lines in the workbook's manifest.
-const MANIFEST: &str = include_str!("../program/Cargo.toml");
+/// The stage of `mirror`, whose `trace` asks a tracer which lights reach a hit. This one calls the student's
+/// `is_shadowed`.
+const STAGE_OF_TRACER: &str = "a06-shadows-reflection";
+const TRACER: &str = include_str!("program/recursive_tracer.rs");
 
-/// Writes a program of your own, with your functions in it
+/// The beginning of `functions.rs`.
+const BEGINNING: &str = "\
+//! Your functions. `cargo learn program` writes this file anew; of an exercise that is open, it takes the
+//! workbook's function. Types such as `Image` are the workbook's, unless a file in `functions` defines them.
+
+#![allow(unused, reason = \"a program calls the functions that it needs\")]
+
+/// In a function of the workbook, the code that an exercise asks for.
+macro_rules! missing {
+    ($what:expr, $for_now:expr, $code:expr) => {
+        $code
+    };
+}
+
+pub use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
+
+pub use common::*;
+";
+
+const MANIFEST: &str = "Cargo.toml";
+const DEPENDENCIES: &str = "[dependencies]\n";
+
+/// Added to a manifest that has no profile.
+const PROFILE: &str = "
+# Pictures take seconds, and not minutes.
+[profile.dev]
+opt-level = 2
+debug = false
+";
+
+/// Brings your functions into a program of your own
 #[derive(clap::Args)]
 pub struct Program {
-    /// A new folder
+    /// The folder of the program, which `cargo new` has made
     folder: PathBuf,
 }
 
-/// Texts of files, by their paths or names.
-type Files = BTreeMap<String, String>;
-
 impl Program {
-    /// Writes the program into a new or empty folder, and returns what is in it.
+    /// Brings the functions into the program, and returns which of them are the student's.
     pub fn run(&self, course: &[Exercise]) -> Result<String, String> {
         let folder = &self.folder;
         let shown = text::path(folder);
-        let is_taken = fs::read_dir(folder).is_ok_and(|mut folder| folder.next().is_some());
-        if is_taken || folder.is_file() {
+        if !folder.join(MANIFEST).is_file() {
             return Err(format!(
-                "{shown} is there already, and is left as it is; a program needs a new folder"
+                "{shown} has no {MANIFEST}: `cargo new {shown}` begins a program, and this brings your functions into it"
             ));
         }
         let progress = Progress::read();
-        let (mut yours, mut others) = (Files::new(), Vec::new());
-        for e in course.iter().filter(|e| functions().contains(&e.name)) {
-            if progress.is_done(e) {
-                let path = files::yours(e);
-                let text = fs::read_to_string(&path).map_err(with_path(&path))?;
-                yours.insert(e.name.to_owned(), text);
-            } else {
-                let is_begun = files::is_begun(e);
-                let mark = if is_begun { " (begun)" } else { "" };
-                others.push(format!("{}{mark}", e.name));
+        let mut done = BTreeMap::new();
+        for e in course.iter().filter(|e| progress.is_done(e)) {
+            done.insert(e.name, files::text_of(&files::yours(e))?);
+        }
+        let brought = bring(folder, course, &done)?;
+        let mut lines = vec![format!("{shown}: your {}", brought.yours.join(", "))];
+        for (words, names) in [
+            ("open, and so the workbook's", &brought.workbooks),
+            ("edited there, and so left as they are", &brought.edited),
+        ] {
+            if !names.is_empty() {
+                lines.push(format!("{words}: {}", names.join(", ")));
             }
         }
-        if yours.is_empty() {
-            let names = others.join(", ");
-            return Err(format!(
-                "none of the functions that the program calls is done: {names}; `cargo learn` shows the \
-                 next exercise"
-            ));
+        let main = folder.join("src/main.rs");
+        if !fs::read_to_string(&main).is_ok_and(|main| main.contains("mod functions;")) {
+            let main = text::path(&main);
+            lines.push(format!("{main} calls them after the lines: mod functions; use functions::*;"));
         }
-        write(folder, &program(&yours)?)?;
-        let names: Vec<_> = yours.into_keys().collect();
-        let mut lines = vec![format!(
-            "{shown}: your program, with your {}",
-            names.join(", ")
-        )];
-        if !others.is_empty() {
-            let names = others.join(", ");
-            lines.push(format!("not done, and so the workbook's: {names}"));
-        }
-        lines.push(format!(
-            "begin with {}",
-            text::path(&folder.join("src/main.rs"))
-        ));
-        let quoted = if shown.contains(' ') {
-            format!("\"{shown}\"")
-        } else {
-            shown
-        };
-        lines.push(format!("draw its scene: cd {quoted} && cargo run"));
         Ok(lines.join("\n"))
     }
 }
 
-/// The exercises whose functions the program calls.
-fn functions() -> Vec<&'static str> {
-    let (_, functions) = FILES[0];
-    let names = functions
-        .lines()
-        .filter_map(|line| line.strip_prefix("pub mod "));
-    names.map(|name| name.trim_end_matches(';')).collect()
+/// The names of exercises by what has become of their files.
+#[derive(Default)]
+struct Brought {
+    yours: Vec<&'static str>,
+    workbooks: Vec<&'static str>,
+    edited: Vec<&'static str>,
 }
 
-/// The files of the program with these functions of the student instead of the workbook's.
-fn program(yours: &Files) -> Result<Files, String> {
-    let mut program = Files::new();
-    for (name, text) in FILES {
-        program.insert(format!("src/{name}.rs"), text.to_owned());
+/// Writes the functions of all stages up to the last one in which an exercise of the core path is
+/// done: the texts that are `done`, by the names of their exercises, and the workbook's.
+fn bring(
+    folder: &Path,
+    course: &[Exercise],
+    done: &BTreeMap<&str, String>,
+) -> Result<Brought, String> {
+    let is_done = |e: &&Exercise| e.is_core && done.contains_key(e.name);
+    let Some(last) = course.iter().rfind(is_done) else {
+        return Err("no exercise of the core path is done; `cargo learn` shows the next".to_owned());
+    };
+    let mut stages: Vec<_> = course.iter().map(|e| e.stage).collect();
+    stages.dedup();
+    stages.retain(|stage| *stage <= last.stage);
+    let mut functions = BEGINNING.to_owned();
+    for stage in &stages {
+        functions += &format!("pub use {}::*;\n", stage.replace('-', "_"));
     }
-    for name in functions() {
-        let text = if let Some(text) = yours.get(name) {
-            without_examples(text)
+    let mut brought = Brought::default();
+    for e in course {
+        if !e.is_core || !stages.contains(&e.stage) || LEFT_OUT.contains(&e.name) {
+            continue;
+        }
+        let solution = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
+        let workbooks = in_program(&files::read(&solution)?);
+        let yours = done.get(e.name).map(|text| in_program(text));
+        let text = yours.as_ref().unwrap_or(&workbooks);
+        functions += &module(e.name, text);
+        let names = if !write_unless_edited(folder, e.name, text, &workbooks)? {
+            &mut brought.edited
+        } else if yours.is_some() {
+            &mut brought.yours
         } else {
-            let Ok(e) = crate::exercise::find(name) else {
-                return Err("the program needs all stages, and this workbook lacks some".to_owned());
-            };
-            let solution = format!("{}/exercises/solutions/{name}.rs", e.stage);
-            without_examples(&files::read(&solution)?)
+            &mut brought.workbooks
         };
-        program.insert(format!("src/functions/{name}.rs"), text);
+        names.push(e.name);
     }
-    program.insert("Cargo.toml".to_owned(), manifest()?);
-    // The same versions of all libraries, which are there without a network.
-    program.insert("Cargo.lock".to_owned(), files::read("Cargo.lock")?);
-    program.insert(".gitignore".to_owned(), "/target\n".to_owned());
-    Ok(program)
+    if stages.contains(&STAGE_OF_TRACER) {
+        functions += &module("recursive_tracer", TRACER);
+        write_unless_edited(folder, "recursive_tracer", TRACER, TRACER)?;
+    }
+    write(&folder.join("src/functions.rs"), &functions)?;
+    add_libraries(folder, &stages)?;
+    Ok(brought)
 }
 
-/// A student's file without the examples, which need the check.
-fn without_examples(text: &str) -> String {
+/// The text of an exercise's file in the program: without the examples, which need the check.
+fn in_program(text: &str) -> String {
     let mut kept = Vec::new();
     let mut is_example = false;
     for line in text.lines() {
@@ -136,112 +158,192 @@ fn without_examples(text: &str) -> String {
         }
         is_example &= line != "}";
     }
-    kept.join("\n").trim_end().to_owned() + "\n"
+    let text = kept.join("\n").trim_end().to_owned() + "\n";
+    text.replace("use crate::prelude::*;", "use super::*;")
 }
 
-fn manifest() -> Result<String, String> {
+/// The lines of `functions.rs` for a file: its public names replace those of the workbook.
+fn module(name: &str, text: &str) -> String {
+    let mut names = Vec::new();
+    for line in text.lines() {
+        let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
+        if words.next() == Some("pub")
+            && matches!(words.next(), Some("fn" | "struct" | "enum" | "const"))
+        {
+            names.extend(words.next());
+        }
+    }
+    format!("\nmod {name};\npub use {name}::{{{}}};\n", names.join(", "))
+}
+
+/// Writes a file of a function, and returns whether it has: one that is neither this text nor the
+/// workbook's has been edited there, and is left as it is.
+fn write_unless_edited(
+    folder: &Path,
+    name: &str,
+    text: &str,
+    workbooks: &str,
+) -> Result<bool, String> {
+    let path = folder.join(format!("src/functions/{name}.rs"));
+    let now = fs::read_to_string(&path);
+    if now.is_ok_and(|now| now != text && now != workbooks) {
+        return Ok(false);
+    }
+    write(&path, text)?;
+    Ok(true)
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(with_path(folder))?;
+    }
+    fs::write(path, text).map_err(with_path(path))
+}
+
+/// Adds the stages to the dependencies, where they are missing.
+fn add_libraries(folder: &Path, stages: &[&str]) -> Result<(), String> {
+    let path = folder.join(MANIFEST);
+    let manifest = fs::read_to_string(&path).map_err(with_path(&path))?;
     let workspace = files::workspace();
-    let Some(folder) = workspace.to_str().filter(|folder| !folder.contains('"')) else {
-        let folder = text::path(&workspace);
-        return Err(format!("{folder} cannot be written into a manifest"));
+    let Some(workbook) = workspace.to_str().filter(|path| !path.contains('"')) else {
+        let workbook = text::path(&workspace);
+        return Err(format!("{workbook} cannot be written into a manifest"));
     };
-    // Windows takes these, too.
-    let mut manifest = MANIFEST.replace("{workbook}", &folder.replace('\\', "/"));
-    for line in files::read("Cargo.toml")?.lines() {
-        for library in ["glam", "libm"] {
-            if line.starts_with(&format!("{library} = ")) {
-                manifest = manifest.replace(&format!("{{{library}}}"), line);
-            }
-        }
+    // Windows takes this, too.
+    let workbook = workbook.replace('\\', "/");
+    let mut libraries = Vec::new();
+    for stage in stages {
+        let path = format!("{workbook}/{stage}");
+        libraries.push(format!("{stage} = {{ path = \"{path}\", default-features = false }}"));
     }
-    Ok(manifest)
-}
-
-fn write(folder: &Path, program: &Files) -> Result<(), String> {
-    for (name, text) in program {
-        let path = folder.join(name);
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).map_err(with_path(folder))?;
-        }
-        fs::write(&path, text).map_err(with_path(&path))?;
+    let of_workbook = files::read("Cargo.toml")?;
+    let libm = of_workbook.lines().find(|line| line.starts_with("libm ="));
+    libraries.extend(libm.map(str::to_owned));
+    libraries.retain(|line| {
+        let (name, _) = line.split_once('=').unwrap_or_default();
+        !manifest.contains(&format!("\n{name}="))
+    });
+    if libraries.is_empty() {
+        return Ok(());
     }
-    Ok(())
+    let Some((before, after)) = manifest.split_once(DEPENDENCIES) else {
+        return Err(format!("{} lacks a line [dependencies]", text::path(&path)));
+    };
+    let libraries = libraries.join("\n");
+    let mut manifest = format!("{before}{DEPENDENCIES}{libraries}\n{after}");
+    if !manifest.contains("[profile.") {
+        manifest += PROFILE;
+    }
+    write(&path, &manifest)?;
+    // The versions of libraries that the workbook is tested with, and has fetched.
+    write(&folder.join("Cargo.lock"), &files::read("Cargo.lock")?)
 }
 
 #[cfg(test)]
 mod tests {
     use std::process::Command;
 
+    use common::{Color, picture_file};
+
     use super::*;
+    use crate::exercise::{find, read_all};
 
-    /// A handout may lack the stages above.
-    fn is_whole() -> bool {
-        let is_whole = crate::exercise::find("disc").is_ok();
-        if !is_whole {
-            eprintln!("skipped: this workbook lacks the stage of the program");
+    /// Libraries from outside are built as for the workbook, and nothing else is optimised: so it is
+    /// soon built.
+    const QUICK: &str = "[package]\nname = \"my-tracer\"\nedition = \"2024\"\n\n[dependencies]\n
+[profile.dev]
+codegen-units = 1
+opt-level = 0
+debug = false
+
+[profile.dev.package]
+jpeg-decoder.opt-level = 1
+libm.opt-level = 3
+png.opt-level = 2
+toml_parser.opt-level = 1
+";
+
+    const PAGES: [&str; 8] = [
+        "first-run",
+        "a01-image-display",
+        "a02-math",
+        "a03-rays-cameras",
+        "a04-intersections",
+        "a05-lighting",
+        "a06-shadows-reflection",
+        "a07-transforms",
+    ];
+
+    /// The parts of the last listing of a program on a page of the book, which empty lines set apart,
+    /// by their first lines of code: a later part replaces an earlier one.
+    fn parts(page: &str) -> BTreeMap<String, String> {
+        let text = files::read(&format!("book/src/{page}.md")).unwrap();
+        let heading = if page == "first-run" {
+            "## 3. Your first picture"
+        } else {
+            "## Your tracer tonight"
+        };
+        let (_, section) = text.split_once(heading).unwrap();
+        let (_, listing) = section.split_once("```rust,ignore\n").unwrap();
+        let (listing, _) = listing.split_once("```").unwrap();
+        let mut parts = BTreeMap::new();
+        for part in listing.split("\n\n") {
+            let is_code = |line: &&str| !line.starts_with(['/', '#']);
+            let first = part.lines().find(is_code).unwrap_or_default();
+            parts.insert(first.to_owned(), part.to_owned());
         }
-        is_whole
+        parts
     }
 
-    /// Of each function there is an exercise of the core path.
+    /// The picture of each page, by the program as it is there: modules of one program, which is
+    /// built once.
     #[test]
-    fn functions_are_exercises() {
-        if !is_whole() {
+    fn the_program_of_the_book_draws_a_picture_on_each_page() {
+        let course = read_all().unwrap();
+        if find("disc").is_err() {
+            eprintln!("skipped: this workbook lacks the stage of the last page");
             return;
         }
-        for name in functions() {
-            let e = crate::exercise::find(name).unwrap();
-            assert!(e.is_core, "{name}");
-        }
-    }
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        let common = files::workspace().join("common");
+        let common = format!("[dependencies]\ncommon = {{ path = {common:?} }}\n");
+        write(&folder.join(MANIFEST), &QUICK.replace(DEPENDENCIES, &common)).unwrap();
 
-    #[test]
-    fn examples_are_left_out() {
-        let text = "use a;\n\ntesting::examples! {\n    f();\n}\n\nfn g() {\n}\n";
-        assert_eq!(without_examples(text), "use a;\n\n\nfn g() {\n}\n");
-        assert_eq!(
-            without_examples("use a;\ntesting::examples! {}"),
-            "use a;\n"
-        );
-        assert_eq!(without_examples("use a;"), "use a;\n");
-    }
-
-    /// A program with a plane of a student draws its scene, outside of the workbook.
-    #[test]
-    fn the_program_draws_its_scene() {
-        if !is_whole() {
-            return;
-        }
-        let plane = crate::exercise::find("plane").unwrap();
-        let starter = files::starter(plane).unwrap();
+        let plane = files::starter(find("plane").unwrap()).unwrap();
         let code = "let d = ray.direction().dot(self.n);\n        \
                     let t = (self.a - ray.origin()).dot(self.n) / d;\n        \
                     within.contains(t).then(|| Hit::new(t, self.n))";
         let missing = "testing::missing(\"the hit within the interval\", None)";
-        assert!(starter.contains(missing));
-        let yours = starter.replace(missing, code);
-        let yours = Files::from([("plane".to_owned(), yours)]);
-        let folder = tempfile::tempdir().unwrap();
-        let folder = folder.path();
-        let mut program = program(&yours).unwrap();
-        // Soon built: libraries from outside as for the workbook, and the rest not optimised.
-        let manifest = program.get_mut("Cargo.toml").unwrap();
-        let quick = manifest
-            .lines()
-            .map(|line| match line.split_once(".opt-level") {
-                Some((name, _)) if files::workspace().join(name).is_dir() || name == "engine" => "",
-                _ => line,
-            });
-        *manifest = quick
-            .collect::<Vec<_>>()
-            .join("\n")
-            .replace("opt-level = 3", "opt-level = 0");
-        let main = program.get_mut("src/main.rs").unwrap();
-        *main = main
-            .replace("[480, 320]", "[48, 32]")
-            .replace("SAMPLES: u32 = 16", "SAMPLES: u32 = 1");
-        write(folder, &program).unwrap();
+        assert!(plane.contains(missing));
+        let disc = files::read("a07-transforms/exercises/solutions/disc.rs").unwrap();
+        let done = BTreeMap::from([("plane", plane.replace(missing, code)), ("disc", disc)]);
+        let brought = bring(folder, course, &done).unwrap();
+        assert_eq!(brought.yours, ["plane", "disc"]);
 
+        let mut program = BTreeMap::new();
+        let mut main = "#![allow(dead_code)]\nmod functions;\n".to_owned();
+        let mut calls = String::new();
+        for page in PAGES {
+            program.append(&mut parts(page));
+            if page == "a01-image-display" {
+                program.retain(|first, _| !first.starts_with("fn set_pixel"));
+                program.remove("mod functions;");
+                program.insert("use functions::*;".to_owned(), "use crate::functions::*;".to_owned());
+            }
+            let texts: Vec<_> = program.values().map(String::as_str).collect();
+            let text = texts.join("\n\n").replace("fn main()", "pub fn main()");
+            let text = text.replace("let index = 0;", "let index = y * width + x;");
+            let text = text.replace("480, 320", "48, 32").replace("samples: 16", "samples: 1");
+            let module = page.replace('-', "_");
+            write(&folder.join(format!("src/{module}.rs")), &text).unwrap();
+            main += &format!("mod {module};\n");
+            calls += &format!(
+                "{module}::main().unwrap();\nstd::fs::rename(\"picture.png\", \"{page}\").unwrap();\n"
+            );
+        }
+        main += &format!("fn main() {{\n{calls}}}\n");
+        write(&folder.join("src/main.rs"), &main).unwrap();
         let mut cargo = Command::new("cargo");
         cargo.env("CARGO_TARGET_DIR", files::workspace().join("target"));
         cargo.args(["run", "--offline"]).current_dir(folder);
@@ -249,14 +351,29 @@ mod tests {
         let errors = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{errors}");
         assert!(!errors.contains("warning"), "{errors}");
-        assert_eq!(output.stdout, b"picture.png\n");
-        let picture = common::picture_file::open(&folder.join("picture.png")).unwrap();
-        assert_eq!(picture.size(), common::Size::new(48, 32).unwrap());
-        assert!(
-            picture
-                .pixels()
-                .iter()
-                .any(|color| color.channels()[0] > 0.8)
-        );
+
+        let pictures = PAGES.map(|page| picture_file::open(&folder.join(page)).unwrap());
+        for two in pictures.windows(2) {
+            assert_ne!(two[0], two[1]);
+        }
+        let [first, cross, ball, ..] = pictures;
+        assert_eq!(first.get(100, 100), Some(Color::RED));
+        assert_eq!(first.get(101, 100), Some(Color::BLACK));
+        assert_eq!(cross.get(139, 100), Some(Color::BLUE));
+        // The light comes from there, and arrives with the cosine 1.
+        assert_eq!(ball.get(217, 62), Some(Color::WHITE));
+
+        // A function that is edited in the program stays as it is.
+        let sphere = folder.join("src/functions/sphere.rs");
+        write(&sphere, "pub struct Sphere;\n").unwrap();
+        assert_eq!(bring(folder, course, &done).unwrap().edited, ["sphere"]);
+        assert_eq!(fs::read_to_string(&sphere).unwrap(), "pub struct Sphere;\n");
+    }
+
+    #[test]
+    fn examples_are_left_out() {
+        let text = "use crate::prelude::*;\n\ntesting::examples! {\n    f();\n}\n\nfn g() {\n}\n";
+        assert_eq!(in_program(text), "use super::*;\n\n\nfn g() {\n}\n");
+        assert_eq!(in_program("use a;\ntesting::examples! {}"), "use a;\n");
     }
 }
