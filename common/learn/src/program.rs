@@ -44,12 +44,20 @@ pub use common::*;
 const MANIFEST: &str = "Cargo.toml";
 const DEPENDENCIES: &str = "[dependencies]\n";
 
-/// Added to a manifest that has no profile.
+/// Added to a manifest without a profile: what draws is optimised, so that pictures take seconds; other
+/// libraries stay as they are built.
 const PROFILE: &str = "
-# Pictures take seconds, and not minutes.
 [profile.dev]
-opt-level = 2
-debug = false
+opt-level = 3
+
+[profile.dev.package.\"*\"]
+opt-level = 0
+
+[profile.dev.package.common]
+opt-level = 3
+
+[profile.dev.package.libm]
+opt-level = 3
 ";
 
 /// Brings your functions into a program of your own
@@ -87,7 +95,9 @@ impl Program {
         let main = folder.join("src/main.rs");
         if !fs::read_to_string(&main).is_ok_and(|main| main.contains("mod functions;")) {
             let main = text::path(&main);
-            lines.push(format!("{main} calls them after the lines: mod functions; use functions::*;"));
+            lines.push(format!(
+                "{main} calls them after the lines: mod functions; use functions::*;"
+            ));
         }
         Ok(lines.join("\n"))
     }
@@ -110,13 +120,17 @@ fn bring(
 ) -> Result<Brought, String> {
     let is_done = |e: &&Exercise| e.is_core && done.contains_key(e.name);
     let Some(last) = course.iter().rfind(is_done) else {
-        return Err("no exercise of the core path is done; `cargo learn` shows the next".to_owned());
+        return Err(
+            "no exercise of the core path is done; `cargo learn` shows the next".to_owned(),
+        );
     };
     let mut stages: Vec<_> = course.iter().map(|e| e.stage).collect();
     stages.dedup();
     stages.retain(|stage| *stage <= last.stage);
     let mut functions = BEGINNING.to_owned();
-    for stage in &stages {
+    // Pixels need nothing but `common`.
+    let libraries = &stages[1..];
+    for stage in libraries {
         functions += &format!("pub use {}::*;\n", stage.replace('-', "_"));
     }
     let mut brought = Brought::default();
@@ -143,7 +157,7 @@ fn bring(
         write_unless_edited(folder, "recursive_tracer", TRACER, TRACER)?;
     }
     write(&folder.join("src/functions.rs"), &functions)?;
-    add_libraries(folder, &stages)?;
+    add_libraries(folder, libraries)?;
     Ok(brought)
 }
 
@@ -200,10 +214,16 @@ fn write(path: &Path, text: &str) -> Result<(), String> {
     fs::write(path, text).map_err(with_path(path))
 }
 
-/// Adds the stages to the dependencies, where they are missing.
+/// Adds the stages to the manifest, where they are missing, and has them optimised.
 fn add_libraries(folder: &Path, stages: &[&str]) -> Result<(), String> {
+    if stages.is_empty() {
+        return Ok(());
+    }
     let path = folder.join(MANIFEST);
-    let manifest = fs::read_to_string(&path).map_err(with_path(&path))?;
+    let before = fs::read_to_string(&path).map_err(with_path(&path))?;
+    if !before.contains(DEPENDENCIES) {
+        return Err(format!("{} lacks a line [dependencies]", text::path(&path)));
+    }
     let workspace = files::workspace();
     let Some(workbook) = workspace.to_str().filter(|path| !path.contains('"')) else {
         let workbook = text::path(&workspace);
@@ -211,28 +231,31 @@ fn add_libraries(folder: &Path, stages: &[&str]) -> Result<(), String> {
     };
     // Windows takes this, too.
     let workbook = workbook.replace('\\', "/");
-    let mut libraries = Vec::new();
+    let of_workbook = files::read("Cargo.toml")?;
+    let libm = of_workbook.lines().find(|line| line.starts_with("libm = "));
+    let mut dependencies: Vec<_> = libm.map(str::to_owned).into_iter().collect();
+    let mut manifest = before.clone();
+    if !before.contains("[profile.") {
+        manifest += PROFILE;
+    }
     for stage in stages {
         let path = format!("{workbook}/{stage}");
-        libraries.push(format!("{stage} = {{ path = \"{path}\", default-features = false }}"));
+        dependencies.push(format!(
+            "{stage} = {{ path = \"{path}\", default-features = false }}"
+        ));
+        if !before.contains(stage) {
+            manifest += &format!("\n[profile.dev.package.{stage}]\nopt-level = 3\n");
+        }
     }
-    let of_workbook = files::read("Cargo.toml")?;
-    let libm = of_workbook.lines().find(|line| line.starts_with("libm ="));
-    libraries.extend(libm.map(str::to_owned));
-    libraries.retain(|line| {
+    for line in dependencies {
         let (name, _) = line.split_once('=').unwrap_or_default();
-        !manifest.contains(&format!("\n{name}="))
-    });
-    if libraries.is_empty() {
-        return Ok(());
+        if !before.contains(&format!("\n{name}=")) {
+            let with_line = format!("{DEPENDENCIES}{line}\n");
+            manifest = manifest.replacen(DEPENDENCIES, &with_line, 1);
+        }
     }
-    let Some((before, after)) = manifest.split_once(DEPENDENCIES) else {
-        return Err(format!("{} lacks a line [dependencies]", text::path(&path)));
-    };
-    let libraries = libraries.join("\n");
-    let mut manifest = format!("{before}{DEPENDENCIES}{libraries}\n{after}");
-    if !manifest.contains("[profile.") {
-        manifest += PROFILE;
+    if manifest == before {
+        return Ok(());
     }
     write(&path, &manifest)?;
     // The versions of libraries that the workbook is tested with, and has fetched.
@@ -308,7 +331,11 @@ toml_parser.opt-level = 1
         let folder = folder.path();
         let common = files::workspace().join("common");
         let common = format!("[dependencies]\ncommon = {{ path = {common:?} }}\n");
-        write(&folder.join(MANIFEST), &QUICK.replace(DEPENDENCIES, &common)).unwrap();
+        write(
+            &folder.join(MANIFEST),
+            &QUICK.replace(DEPENDENCIES, &common),
+        )
+        .unwrap();
 
         let plane = files::starter(find("plane").unwrap()).unwrap();
         let code = "let d = ray.direction().dot(self.n);\n        \
@@ -320,6 +347,9 @@ toml_parser.opt-level = 1
         let done = BTreeMap::from([("plane", plane.replace(missing, code)), ("disc", disc)]);
         let brought = bring(folder, course, &done).unwrap();
         assert_eq!(brought.yours, ["plane", "disc"]);
+        let manifest = fs::read_to_string(folder.join(MANIFEST)).unwrap();
+        let (quick, _) = manifest.split_once("\n[profile.dev.package.a02").unwrap();
+        write(&folder.join(MANIFEST), quick).unwrap();
 
         let mut program = BTreeMap::new();
         let mut main = "#![allow(dead_code)]\nmod functions;\n".to_owned();
@@ -329,12 +359,17 @@ toml_parser.opt-level = 1
             if page == "a01-image-display" {
                 program.retain(|first, _| !first.starts_with("fn set_pixel"));
                 program.remove("mod functions;");
-                program.insert("use functions::*;".to_owned(), "use crate::functions::*;".to_owned());
+                program.insert(
+                    "use functions::*;".to_owned(),
+                    "use crate::functions::*;".to_owned(),
+                );
             }
             let texts: Vec<_> = program.values().map(String::as_str).collect();
             let text = texts.join("\n\n").replace("fn main()", "pub fn main()");
             let text = text.replace("let index = 0;", "let index = y * width + x;");
-            let text = text.replace("480, 320", "48, 32").replace("samples: 16", "samples: 1");
+            let text = text
+                .replace("480, 320", "48, 32")
+                .replace("samples: 16", "samples: 1");
             let module = page.replace('-', "_");
             write(&folder.join(format!("src/{module}.rs")), &text).unwrap();
             main += &format!("mod {module};\n");
