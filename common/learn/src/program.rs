@@ -131,7 +131,8 @@ fn bring(
     // Pixels need nothing but `common`.
     let libraries = &stages[1..];
     for stage in libraries {
-        functions += &format!("pub use {}::*;\n", stage.replace('-', "_"));
+        let library = stage.replace('-', "_");
+        functions.extend(["pub use ", &library, "::*;\n"]);
     }
     let mut brought = Brought::default();
     for e in course {
@@ -244,7 +245,8 @@ fn add_libraries(folder: &Path, stages: &[&str]) -> Result<(), String> {
             "{stage} = {{ path = \"{path}\", default-features = false }}"
         ));
         if !before.contains(stage) {
-            manifest += &format!("\n[profile.dev.package.{stage}]\nopt-level = 3\n");
+            let optimised = format!("\n[profile.dev.package.{stage}]\nopt-level = 3\n");
+            manifest += &optimised;
         }
     }
     for line in dependencies {
@@ -372,12 +374,13 @@ toml_parser.opt-level = 1
                 .replace("samples: 16", "samples: 1");
             let module = page.replace('-', "_");
             write(&folder.join(format!("src/{module}.rs")), &text).unwrap();
-            main += &format!("mod {module};\n");
-            calls += &format!(
+            let call = format!(
                 "{module}::main().unwrap();\nstd::fs::rename(\"picture.png\", \"{page}\").unwrap();\n"
             );
+            calls += &call;
+            main.extend(["mod ", &module, ";\n"]);
         }
-        main += &format!("fn main() {{\n{calls}}}\n");
+        main.extend(["fn main() {\n", &calls, "}\n"]);
         write(&folder.join("src/main.rs"), &main).unwrap();
         let mut cargo = Command::new("cargo");
         cargo.env("CARGO_TARGET_DIR", files::workspace().join("target"));

@@ -13,8 +13,7 @@ use crate::screen::Screen;
 /// Time between two looks at the file and the keyboard.
 pub const PAUSE: Duration = Duration::from_millis(50);
 
-const END: &str =
-    "all exercises are done; `cargo learn program FOLDER` makes a program of your functions";
+const END: &str = "all exercises are done; `cargo learn program FOLDER` brings your functions into your own program";
 
 /// What all pages share: the exercises, which of them are done, and the terminal.
 pub struct Session {
