@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::sensitivity::{Footprint, NumberPlace};
-use crate::{Color, Error, Image, PixelTrace, Progress, Settings, Size};
+use crate::{Color, Error, Image, PixelTrace, Progress, Settings};
 
 /// A function that paints a picture with these settings.
 pub type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
@@ -167,46 +167,6 @@ impl Scene {
         let mut scene = Self::painted(name, about, paint);
         scene.uses.sampling = true;
         scene
-    }
-
-    /// Pictures side by side, for comparison: each has an equal fraction of the width, with
-    /// a gap of 8 pixels between them, and by default this width and height.
-    pub fn side_by_side<P, const N: usize>(
-        name: &'static str,
-        about: &'static str,
-        panels: [P; N],
-        (width, height): (u32, u32),
-    ) -> Self
-    where
-        P: Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
-    {
-        const GAP: u32 = 8;
-        let count = N.max(1) as u32;
-        let gaps = GAP * (count - 1);
-        let defaults = Settings {
-            size: Size::new(count * width + gaps, height).unwrap_or(Size::COURSE),
-            ..Settings::default()
-        };
-        let paint = move |settings: &Settings, progress: &dyn Progress| {
-            let size = settings.size;
-            let width = size.width().saturating_sub(gaps) / count;
-            let panel = Settings {
-                size: Size::new(width, size.height())?,
-                ..settings.clone()
-            };
-            let mut image = Image::black(size)?.map(|_| Color::WHITE);
-            for (left, paint) in (0..).step_by((width + GAP) as usize).zip(&panels) {
-                if progress.stopped() {
-                    return Err(Error::Stopped);
-                }
-                image.paste(left, 0, &paint(&panel, &())?);
-            }
-            for (y, row) in (0..).zip(image.rows()) {
-                progress.row(y, &mut row.iter().copied());
-            }
-            Ok(image)
-        };
-        Self::sampled(name, about, paint).with_defaults(defaults)
     }
 
     /// The same scene, with surfaces that reflect rays.

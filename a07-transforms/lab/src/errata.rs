@@ -9,6 +9,8 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, Ray, View};
 use common::{ArgumentError, Color, Error, Progress, Scene, Settings, Stage};
 
+use crate::side_by_side::side_by_side;
+
 /// The pictures as a stage, so that its program can show and its test lock them.
 #[must_use]
 pub fn stage() -> Stage {
@@ -45,7 +47,7 @@ fn beside(name: &'static str, about: &'static str, wrong: Panel, right: Panel) -
             view(settings)?.render(settings, progress)
         }
     });
-    Scene::side_by_side(name, about, panels, (360, 270))
+    side_by_side(name, about, panels, (360, 270))
 }
 
 type Made<T> = Result<T, ArgumentError>;

@@ -8,6 +8,8 @@ use a06_lab::coarse_ball::{ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Start, coarse
 use a06_shadows_reflection::{mirror_direction, secondary_ray};
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, Transfer};
 
+use crate::side_by_side::side_by_side;
+
 /// The pictures as a stage, so that its program can show and its test lock them.
 #[must_use]
 pub fn stage() -> Stage {
@@ -39,7 +41,7 @@ fn offset() -> Scene {
     let panels = shadow_rays.map(|shadow_ray| {
         move |settings: &Settings, progress: &dyn Progress| shadows(shadow_ray, settings, progress)
     });
-    Scene::side_by_side("offset", about, panels, PANEL)
+    side_by_side("offset", about, panels, PANEL)
 }
 
 /// The shadow ray of a hit, offset by a length.
@@ -95,7 +97,7 @@ fn gamma() -> Scene {
             Ok(image.map(|color| color.map(|channel| transfer.encode(channel))))
         }
     });
-    Scene::side_by_side("gamma", about, panels, PANEL)
+    side_by_side("gamma", about, panels, PANEL)
 }
 
 /// Cracks between triangles. Rays that aim nowhere hardly ever meet an edge, so
@@ -110,7 +112,7 @@ fn cracks() -> Scene {
     let panels = [theirs, ours].map(|test| {
         move |settings: &Settings, progress: &dyn Progress| wall(test, settings, progress)
     });
-    Scene::side_by_side("cracks", about, panels, PANEL)
+    side_by_side("cracks", about, panels, PANEL)
 }
 
 /// Whether rays meet a triangle.
@@ -171,7 +173,7 @@ fn terminator() -> Scene {
             smooth_ball(divisions, start, settings, progress)
         }
     });
-    Scene::side_by_side("terminator", about, panels, PANEL)
+    side_by_side("terminator", about, panels, PANEL)
 }
 
 /// A smooth matt ball of 20 · 4^`divisions` triangles in bright light from far away.
@@ -212,7 +214,7 @@ fn rim() -> Scene {
             mirroring_ball(divisions, mirror, settings, progress)
         }
     });
-    Scene::side_by_side("rim", about, panels, PANEL)
+    side_by_side("rim", about, panels, PANEL)
 }
 
 /// The direction in which the surface at a hit mirrors a ray.
@@ -251,7 +253,7 @@ fn coincident() -> Scene {
             rug(height, floor_is_first, settings, progress)
         }
     });
-    Scene::side_by_side("coincident", about, panels, PANEL)
+    side_by_side("coincident", about, panels, PANEL)
 }
 
 /// A blue rug, a flat box, at a height above a red floor.

@@ -10,6 +10,7 @@ mod extremes;
 pub mod go_wrong;
 pub mod nested_nodes;
 pub mod protocol;
+mod side_by_side;
 
 use measure::Laboratory;
 
