@@ -14,7 +14,7 @@ pub enum Views {
     /// A function of a stage's `scenes.rs`, for a picture of this size.
     Code(fn(Size) -> Result<View, ArgumentError>),
     /// A scene file.
-    File(NumberedFile),
+    File(Box<NumberedFile>),
 }
 
 /// A scene of a stage, without mirrors and with the usual settings.
@@ -95,7 +95,10 @@ impl Traced for Views {
     ) -> Option<Box<dyn Traced>> {
         match self {
             Self::Code(_) => None,
-            Self::File(file) => Some(Box::new(Self::File(file.with(settings, number, value)?))),
+            Self::File(file) => {
+                let moved = file.with(settings, number, value)?;
+                Some(Box::new(Self::File(Box::new(moved))))
+            }
         }
     }
 

@@ -14,11 +14,11 @@ const MOST_SURFACES: u32 = 50;
 /// The scene of a scene file.
 pub fn scene(text: &str) -> Result<Scene, Error> {
     let (defaults, file) = read(text).map_err(|error| Error::SceneFile(error.within(text)))?;
-    let views = Views::File(NumberedFile {
+    let views = Views::File(Box::new(NumberedFile {
         format: FORMAT,
         text: text.into(),
         file,
-    });
+    }));
     let scene = Scene::traced("file", "a scene of a file", views);
     Ok(scene.reflecting().with_defaults(defaults))
 }

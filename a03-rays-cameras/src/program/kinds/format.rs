@@ -63,11 +63,11 @@ impl Format {
         // All constructors must accept the numbers.
         let (defaults, _) = self.scene(&file).map_err(at_text)?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let views = Views::File(NumberedFile {
+        let views = Views::File(Box::new(NumberedFile {
             format: self,
             text: text.into(),
             file,
-        });
+        }));
         let mut scene = Scene::traced(stem.into_owned().leak(), "a scene of a file", views)
             .with_defaults(defaults);
         scene.uses.depth = self.stage > 5;
