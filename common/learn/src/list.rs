@@ -1,5 +1,5 @@
-//! `List`: the exercises on the terminal, to choose one: with the arrow keys, by words of its name
-//! and title, among all, open or done ones.
+//! `List`: the exercises on the terminal, to choose one: with the arrow keys, or by words of its name
+//! and title.
 
 #[cfg(test)]
 mod tests;
@@ -9,7 +9,6 @@ use std::time::Duration;
 use console::{Key, style, truncate_str};
 
 use crate::exercise::Exercise;
-use crate::files;
 use crate::keys::Typed;
 use crate::progress::Progress;
 use crate::watch::Session;
@@ -20,43 +19,7 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Lines above and below the exercises.
 const FRAME: usize = 4;
 
-const KEYS: &str = "↑ ↓ Enter  / search  f filter  x reset  Esc back  q quit";
-
-/// Which exercises are listed.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Filter {
-    All,
-    Open,
-    Done,
-}
-
-impl Filter {
-    fn next(self) -> Self {
-        match self {
-            Self::All => Self::Open,
-            Self::Open => Self::Done,
-            Self::Done => Self::All,
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::All => "all",
-            Self::Open => "open",
-            Self::Done => "done",
-        }
-    }
-}
-
-/// What keys mean.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Mode {
-    Choosing,
-    /// They are letters of the words that are searched for.
-    Searching,
-    /// They answer the question whether a file begins again.
-    Resetting,
-}
+const KEYS: &str = "↑ ↓ Enter  / search  Esc back  q quit";
 
 /// What the reader leaves the list for.
 pub enum Choice {
@@ -68,14 +31,14 @@ pub enum Choice {
 
 struct List {
     course: &'static [Exercise],
-    filter: Filter,
+    /// The words that are searched for.
     words: String,
-    mode: Mode,
+    /// Whether keys are letters of these words.
+    is_searching: bool,
     /// The chosen one of the exercises that are listed.
     chosen: usize,
     /// The first one that the terminal shows.
     top: usize,
-    message: String,
 }
 
 /// Lets the reader choose an exercise, first the current one.
@@ -99,7 +62,7 @@ pub fn choose(current: &Exercise, session: &mut Session) -> Choice {
             Typed::Nothing => {}
             Typed::End | Typed::Key(Key::CtrlC) => return Choice::Quit,
             Typed::Key(key) => {
-                if let Some(choice) = list.obey(&key, progress, size.0) {
+                if let Some(choice) = list.obey(&key, size.0) {
                     return choice;
                 }
                 shown = None;
@@ -112,27 +75,20 @@ impl List {
     fn new(course: &'static [Exercise], current: &Exercise) -> Self {
         Self {
             course,
-            filter: Filter::All,
             words: String::new(),
-            mode: Mode::Choosing,
+            is_searching: false,
             chosen: course.iter().position(|e| e == current).unwrap_or(0),
             top: 0,
-            message: String::new(),
         }
     }
 
     /// The exercises that are listed.
-    fn listed(&self, progress: &Progress) -> Vec<&'static Exercise> {
+    fn listed(&self) -> Vec<&'static Exercise> {
         let words = self.words.to_lowercase();
         let mut listed = Vec::new();
         for e in self.course {
-            let is_wanted = match self.filter {
-                Filter::All => true,
-                Filter::Open => !progress.is_done(e),
-                Filter::Done => progress.is_done(e),
-            };
             let text = format!("{} {} {}", e.stage, e.name, e.title).to_lowercase();
-            if is_wanted && text.contains(&words) {
+            if text.contains(&words) {
                 listed.push(e);
             }
         }
@@ -140,21 +96,38 @@ impl List {
     }
 
     /// Does what a key asks for.
-    fn obey(&mut self, key: &Key, progress: &Progress, rows: usize) -> Option<Choice> {
-        self.message.clear();
-        match self.mode {
-            Mode::Searching => self.search(key),
-            Mode::Resetting => self.answer(key, progress),
-            Mode::Choosing => return self.choose(key, progress, rows),
+    fn obey(&mut self, key: &Key, rows: usize) -> Option<Choice> {
+        if self.is_searching {
+            self.search(key);
+            return None;
+        }
+        let listed = self.listed();
+        let last = listed.len().saturating_sub(1);
+        let page = rows.saturating_sub(FRAME + 1).max(1);
+        match key {
+            Key::ArrowUp => self.chosen = self.chosen.saturating_sub(1),
+            Key::ArrowDown => self.chosen = (self.chosen + 1).min(last),
+            Key::PageUp => self.chosen = self.chosen.saturating_sub(page),
+            Key::PageDown => self.chosen = (self.chosen + page).min(last),
+            Key::Home => self.chosen = 0,
+            Key::End => self.chosen = last,
+            Key::Char('/') => {
+                self.is_searching = true;
+                self.words.clear();
+            }
+            Key::Enter => return listed.get(self.chosen).copied().map(Choice::Exercise),
+            Key::Escape | Key::Char('l') => return Some(Choice::Back),
+            Key::Char('q') => return Some(Choice::Quit),
+            _ => {}
         }
         None
     }
 
     fn search(&mut self, key: &Key) {
         match key {
-            Key::Enter => self.mode = Mode::Choosing,
+            Key::Enter => self.is_searching = false,
             Key::Escape => {
-                self.mode = Mode::Choosing;
+                self.is_searching = false;
                 self.words.clear();
             }
             Key::Backspace => {
@@ -166,47 +139,9 @@ impl List {
         self.chosen = 0;
     }
 
-    fn answer(&mut self, key: &Key, progress: &Progress) {
-        self.mode = Mode::Choosing;
-        if *key != Key::Char('y') {
-            return;
-        }
-        if let Some(e) = self.listed(progress).get(self.chosen) {
-            self.message = files::reset(e).unwrap_or_else(|problem| problem);
-        }
-    }
-
-    fn choose(&mut self, key: &Key, progress: &Progress, rows: usize) -> Option<Choice> {
-        let listed = self.listed(progress);
-        let last = listed.len().saturating_sub(1);
-        let page = rows.saturating_sub(FRAME + 1).max(1);
-        match key {
-            Key::ArrowUp | Key::Char('k') => self.chosen = self.chosen.saturating_sub(1),
-            Key::ArrowDown | Key::Char('j') => self.chosen = (self.chosen + 1).min(last),
-            Key::PageUp => self.chosen = self.chosen.saturating_sub(page),
-            Key::PageDown => self.chosen = (self.chosen + page).min(last),
-            Key::Home | Key::Char('g') => self.chosen = 0,
-            Key::End | Key::Char('G') => self.chosen = last,
-            Key::Char('/') => {
-                self.mode = Mode::Searching;
-                self.words.clear();
-            }
-            Key::Char('f') => {
-                self.filter = self.filter.next();
-                self.chosen = 0;
-            }
-            Key::Char('x') if !listed.is_empty() => self.mode = Mode::Resetting,
-            Key::Enter => return listed.get(self.chosen).copied().map(Choice::Exercise),
-            Key::Escape | Key::Char('l') => return Some(Choice::Back),
-            Key::Char('q') => return Some(Choice::Quit),
-            _ => {}
-        }
-        None
-    }
-
     /// The screen with its rows and columns.
     fn lines(&mut self, progress: &Progress, (rows, columns): (usize, usize)) -> Vec<String> {
-        let listed = self.listed(progress);
+        let listed = self.listed();
         self.chosen = self.chosen.min(listed.len().saturating_sub(1));
         let visible = rows.saturating_sub(FRAME).max(1);
         self.top = self
@@ -218,8 +153,7 @@ impl List {
         let fitted = |text: &str| truncate_str(text, columns.saturating_sub(1), "…").into_owned();
         let first = (self.top + 1).min(listed.len());
         let last = listed.len().min(self.top + visible);
-        let (all, filter) = (listed.len(), self.filter.name());
-        let mut heading = format!("exercises {first} to {last} of {all}: {filter}");
+        let mut heading = format!("exercises {first} to {last} of {}", listed.len());
         if !self.words.is_empty() {
             heading += " with ";
             heading += &self.words;
@@ -237,22 +171,12 @@ impl List {
             });
         }
         lines.push(String::new());
-        lines.push(fitted(&self.footer(&listed)));
+        lines.push(fitted(&if self.is_searching {
+            format!("/{}_  Enter keeps it, Esc shows all", self.words)
+        } else {
+            KEYS.to_owned()
+        }));
         lines
-    }
-
-    /// The last line: what the keys do now.
-    fn footer(&self, listed: &[&Exercise]) -> String {
-        let words = &self.words;
-        match self.mode {
-            Mode::Searching => format!("/{words}_  Enter keeps it, Esc shows all"),
-            Mode::Resetting => {
-                let name = listed.get(self.chosen).map_or("", |e| e.name);
-                format!("begin {name} again? your file is kept; y yes, other keys no")
-            }
-            Mode::Choosing if !self.message.is_empty() => self.message.replace('\n', "; "),
-            Mode::Choosing => KEYS.to_owned(),
-        }
     }
 }
 

@@ -12,11 +12,10 @@ fn list_of_all() -> List {
 
 /// The screen after these keys.
 fn press(list: &mut List, keys: &[Key]) -> Vec<String> {
-    let progress = Progress::default();
     for key in keys {
-        assert!(list.obey(key, &progress, SIZE.0).is_none(), "{key:?}");
+        assert!(list.obey(key, SIZE.0).is_none(), "{key:?}");
     }
-    list.lines(&progress, SIZE)
+    list.lines(&Progress::default(), SIZE)
 }
 
 fn type_words(words: &str) -> Vec<Key> {
@@ -49,48 +48,28 @@ fn the_chosen_exercise_is_always_on_the_screen() {
 }
 
 #[test]
-fn words_and_filters_leave_exercises_out() {
+fn words_leave_exercises_out() {
     let mut list = list_of_all();
     let all = list.course.len();
     let lines = press(&mut list, &type_words("/SPHERE"));
     assert!(lines[0].contains("with SPHERE"), "{lines:?}");
     assert!(lines.last().unwrap().starts_with("/SPHERE_"));
     press(&mut list, &[Key::Enter]);
-    let progress = Progress::default();
-    for e in list.listed(&progress) {
+    for e in list.listed() {
         assert!(e.name.contains("sphere") || e.title.to_lowercase().contains("sphere"));
     }
     assert!(matches!(
-        list.obey(&Key::Enter, &progress, SIZE.0),
+        list.obey(&Key::Enter, SIZE.0),
         Some(Choice::Exercise(e)) if e.name == "sphere"
     ));
     // Letters that are keys elsewhere are words here, and none may be left.
     let lines = press(&mut list, &type_words("/qxqx"));
     assert!(lines[0].starts_with("exercises 0 to 0 of 0"), "{lines:?}");
-    press(
-        &mut list,
-        &[Key::Enter, Key::Enter, Key::Char('x'), Key::PageDown],
-    );
+    press(&mut list, &[Key::Enter, Key::Enter, Key::PageDown]);
     press(&mut list, &[Key::Char('/'), Key::Escape]);
-    assert_eq!(list.listed(&progress).len(), all);
-    press(&mut list, &[Key::Char('f')]);
-    assert_eq!(list.listed(&progress).len(), all);
-    press(&mut list, &[Key::Char('f')]);
-    assert_eq!(list.listed(&progress).len(), 0, "none is done");
+    assert_eq!(list.listed().len(), all);
     assert!(matches!(
-        list.obey(&Key::Escape, &progress, SIZE.0),
+        list.obey(&Key::Escape, SIZE.0),
         Some(Choice::Back)
     ));
-}
-
-#[test]
-fn a_reset_is_asked_for() {
-    let mut list = list_of_all();
-    let lines = press(&mut list, &[Key::Char('x')]);
-    assert!(
-        lines.last().unwrap().starts_with("begin set_pixel again?"),
-        "{lines:?}"
-    );
-    let lines = press(&mut list, &[Key::Char('q')]);
-    assert_eq!(lines.last().unwrap(), KEYS);
 }
