@@ -1,4 +1,4 @@
-//! Places in pictures and beside them, compared with the lesson's `Image::set`.
+//! Places in pictures and beside them, compared with the solution.
 
 use crate::prelude::*;
 
@@ -6,10 +6,6 @@ yours! { set_pixel }
 
 type Code = fn(&mut Image, u32, u32, Color);
 type Other = Variant<Code>;
-
-pub fn set_pixel(image: &mut Image, x: u32, y: u32, color: Color) {
-    image.set(x, y, color);
-}
 
 pub fn exercise() -> Exercise<Code> {
     let places = Questions {
@@ -39,13 +35,22 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     let colors = Questions {
-        words: "green in a black picture of 4x3, column {}, row {}".into(),
-        simple: vec![(1, 1), (3, 2)],
+        words: "{} in a {} picture of 4x3, column {}, row {}".into(),
+        simple: vec![
+            ("green", "black", 1, 1),
+            ("green", "black", 3, 2),
+            ("black", "blue", 1, 1),
+        ],
         others: vec![],
-        answer: |set_pixel: &Code, (x, y)| {
+        answer: |set_pixel: &Code, (color, paper, x, y)| {
+            let [color, paper] = [color, paper].map(|name| match name {
+                "green" => Color::GREEN,
+                "blue" => Color::BLUE,
+                _ => Color::BLACK,
+            });
             painted((4, 3), |size| {
-                let mut image = Image::black(size)?;
-                set_pixel(&mut image, x, y, Color::GREEN);
+                let mut image = Image::from_fn(size, |_, _| paper)?;
+                set_pixel(&mut image, x, y, color);
                 Ok(image)
             })
         },
@@ -60,7 +65,6 @@ pub fn exercise() -> Exercise<Code> {
             Ok(image)
         }),
         drawing: drawing(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "x beyond the width is no pixel of the next row",

@@ -58,8 +58,9 @@ impl Departure {
     fn with_slope<const N: usize>(r: &mut Random, slopes: [f64; N]) -> Self {
         let (normal, point) = (unit(r.triple(1.0)), r.triple(5.0));
         let side = unit(array(normal.cross(vector(r.triple(1.0)))));
-        // Near, far from the origin, and, at the origin, far from the eye.
-        let [from_origin, from_eye] = [[1.0, 1.0], [1e7, 1.0], [0.0, 1e7]][r.below(3) as usize];
+        // Near, far from the origin, and, at the origin, far from the eye and close to it.
+        let places = [[1.0, 1.0], [1e7, 1.0], [0.0, 1e7], [0.0, 1e-4]];
+        let [from_origin, from_eye] = places[r.below(4) as usize];
         let to_eye = (normal * r.between(0.5, 3.0) + side * r.between(-3.0, 3.0)) * from_eye;
         let direction = side + normal * slopes[r.below(N as u32) as usize];
         Self {
