@@ -1,4 +1,4 @@
-//! Pictures of all shapes, compared with the lesson's `PaintDiagonal`.
+//! Pictures of all shapes, compared with the solution.
 
 use crate::prelude::*;
 
@@ -6,10 +6,6 @@ yours! { diagonal }
 
 type Code = fn(Size) -> Result<Image, Error>;
 type Other = Variant<Code>;
-
-pub fn diagonal(size: Size) -> Result<Image, Error> {
-    PaintDiagonal::new(size).image()
-}
 
 pub fn exercise() -> Exercise<Code> {
     let pictures = Questions {
@@ -23,7 +19,6 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::scene("diagonal", |diagonal: &Code, settings| {
             diagonal(settings.size)
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new("the line is not stretched to the corner", |size| {
                 red(size, |[x, y], [w, h]| x * h == y * w)

@@ -1,4 +1,4 @@
-//! Vectors of all lengths, compared with the lesson's `Vector3::angle`.
+//! Vectors of all lengths, compared with the solution.
 
 use a01_image_display::Canvas;
 
@@ -8,10 +8,6 @@ yours! { angle }
 
 type Code = fn(Vector3, Vector3) -> f64;
 type Other = Variant<Code>;
-
-pub fn angle(a: Vector3, b: Vector3) -> f64 {
-    a.angle(b)
-}
 
 pub fn exercise() -> Exercise<Code> {
     let x = [1.0, 0.0, 0.0];
@@ -46,7 +42,6 @@ pub fn exercise() -> Exercise<Code> {
             ..LESSON
         }),
         drawing: drawing(|angle: &Code, settings| fans(*angle, settings)),
-        right: vec![code!()],
         wrong: vec![
             Other::new("the cosine of a tiny angle rounds to 1", |a, b| {
                 libm::acos(cosine(a, b).clamp(-1.0, 1.0))

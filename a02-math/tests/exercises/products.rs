@@ -1,4 +1,4 @@
-//! Products of vectors, compared with the lesson's.
+//! Products of vectors, compared with the solution.
 
 use a01_image_display::Canvas;
 use glam::DVec3;
@@ -14,14 +14,6 @@ pub struct Code {
 }
 
 type Other = Variant<Code>;
-
-pub fn dot(a: Vector3, b: Vector3) -> f64 {
-    a.dot(b)
-}
-
-pub fn cross(a: Vector3, b: Vector3) -> Vector3 {
-    a.cross(b)
-}
 
 pub fn exercise() -> Exercise<Code> {
     let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -48,7 +40,6 @@ pub fn exercise() -> Exercise<Code> {
             ..LESSON
         }),
         drawing: drawing(balls),
-        right: vec![code!()],
         wrong: vec![
             Other::from_right("a vector has three coordinates", |right| Code {
                 dot: |a, b| a.x() * b.x() + a.y() * b.y(),

@@ -1,4 +1,4 @@
-//! Vectors on both sides of surfaces, compared with the lesson's `Vector3::reflected_on`.
+//! Vectors on both sides of surfaces, compared with the solution.
 
 use a01_image_display::Canvas;
 
@@ -8,10 +8,6 @@ yours! { reflected }
 
 type Code = fn(Vector3, Normal3) -> Vector3;
 type Other = Variant<Code>;
-
-pub fn reflected(v: Vector3, n: Normal3) -> Vector3 {
-    v.reflected_on(n)
-}
 
 pub fn exercise() -> Exercise<Code> {
     let up = [0.0, 1.0, 0.0];
@@ -41,7 +37,6 @@ pub fn exercise() -> Exercise<Code> {
             ..LESSON
         }),
         drawing: drawing(|reflected: &Code, settings| parabola(*reflected, settings)),
-        right: vec![code!()],
         wrong: vec![
             Other::new("v points away", |v, n| -v.reflected_on(n)),
             Other::new("the part along the normal counts twice", |v, n| {

@@ -1,4 +1,4 @@
-//! Perspective cameras anywhere, compared with the lesson's.
+//! Perspective cameras anywhere, compared with the solution.
 
 use crate::prelude::*;
 
@@ -28,7 +28,6 @@ pub fn exercise() -> Exercise<Code> {
             paint(&*camera, &|ray| sky.color_for(ray), settings)
         }),
         drawing: drawing(floor),
-        right: vec![code!()],
         wrong,
         ..cameras(Cameras {
             words: "eye, gaze and up {}, field of view {}",

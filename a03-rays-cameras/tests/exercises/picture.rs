@@ -1,4 +1,4 @@
-//! Pictures of all samplings, compared with the lesson's `render`.
+//! Pictures of all samplings, compared with the solution.
 
 use std::sync::Arc;
 
@@ -9,14 +9,6 @@ yours! { picture => std::sync::Arc::new(picture) }
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
 type Code = Arc<dyn Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error> + Send + Sync>;
 type Other = Variant<Code>;
-
-pub fn picture(
-    camera: &dyn Camera,
-    radiance: Radiance,
-    settings: &Settings,
-) -> Result<Image, Error> {
-    render(camera, radiance, settings, &())
-}
 
 pub fn exercise() -> Exercise<Code> {
     let pixels = Questions {
@@ -42,7 +34,6 @@ pub fn exercise() -> Exercise<Code> {
             picture(&camera, &|ray| sky.color_for(ray), settings)
         }),
         drawing: drawing(landscape),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "rows are counted from the top",

@@ -1,4 +1,4 @@
-//! Pinhole cameras anywhere, compared with the lesson's.
+//! Pinhole cameras anywhere, compared with the solution.
 
 use crate::prelude::*;
 
@@ -13,7 +13,6 @@ pub fn exercise() -> Exercise<Code> {
             paint(&*camera, &|ray| sky.color_for(ray), settings)
         }),
         drawing: drawing(corridor),
-        right: vec![code!()],
         wrong: mistakes_with_angle(|(e, angle)| Ok((axes(e)?, angle))),
         ..cameras(Cameras {
             words: "pinhole at {}, field of view {}",

@@ -1,4 +1,4 @@
-//! Points of rays and beside them, compared with the lesson's `Ray`.
+//! Points of rays and beside them, compared with the solution.
 
 use a01_image_display::Canvas;
 
@@ -13,14 +13,6 @@ pub struct Code {
 }
 
 type Other = Variant<Code>;
-
-pub fn at(ray: &Ray, t: f64) -> Point3 {
-    ray.at(t)
-}
-
-pub fn t_of(ray: &Ray, point: Point3) -> f64 {
-    ray.t_of(point)
-}
 
 pub fn exercise() -> Exercise<Code> {
     let rays = Questions {
@@ -46,7 +38,6 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![rays.into()],
         picture: scene(striped),
         drawing: drawing(points_and_feet),
-        right: vec![code!()],
         wrong: vec![
             Other::from_right("t is no distance: d may have any length", |right| Code {
                 t_of: |ray, p| (p - ray.origin()).magnitude(),

@@ -1,4 +1,4 @@
-//! Rays to stripes and beyond them, compared with the lesson's `StripedSky`.
+//! Rays to stripes and beyond them, compared with the solution.
 
 use std::sync::Arc;
 
@@ -25,18 +25,6 @@ pub fn new_sky<S: Send + Sync + 'static>(
         let sky = new(camera, size, stripes)?;
         Ok(Box::new(move |ray: &Ray| stripe(&sky, ray)))
     })
-}
-
-pub struct Sky(StripedSky);
-
-impl Sky {
-    pub fn new(camera: &PinholeCamera, size: Size, stripes: u32) -> Made<Self> {
-        StripedSky::new(camera, size, stripes, StripeRule::Direction).map(Self)
-    }
-
-    pub fn stripe(&self, ray: &Ray) -> u32 {
-        self.0.stripe(ray)
-    }
 }
 
 pub fn exercise() -> Exercise<Code> {
@@ -74,7 +62,6 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&camera, &radiance, settings)
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "above the picture is the last stripe",

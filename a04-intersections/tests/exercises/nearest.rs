@@ -1,4 +1,4 @@
-//! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
+//! Spheres and a smooth triangle in all orders, compared with the solution.
 
 use a04_intersections::instruments::recorded::{push_background, shaded};
 
@@ -9,12 +9,12 @@ yours! { nearest }
 type Code = fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)>;
 type Other = Variant<Code>;
 
-pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
-    world.hit(ray, within).map(|(hit, number)| (hit, *number))
-}
-
 /// The z of the spheres, in three orders.
 const ORDERS: [[f64; 3]; 3] = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
+
+fn right(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
+    world.hit(ray, within).map(|(hit, number)| (hit, *number))
+}
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
@@ -29,10 +29,9 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&*scene_5()?.camera, &color, settings)
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new("an object has a number of its own", |world, ray, within| {
-                let (hit, number) = nearest(world, ray, within)?;
+                let (hit, number) = right(world, ray, within)?;
                 let mut places = world.objects().map(|(_, number)| *number);
                 Some((hit, places.position(|other| other == number)?))
             }),
@@ -47,14 +46,14 @@ pub fn exercise() -> Exercise<Code> {
             Other::new(
                 "a hit before the interval hides one in it",
                 |world, ray, within| {
-                    let nearest = nearest(world, ray, Interval::AHEAD);
+                    let nearest = right(world, ray, Interval::AHEAD);
                     nearest.filter(|(hit, _)| within.contains(hit.t))
                 },
             ),
             Other::new(
                 "the face, not the normal, says what is seen",
                 |world, ray, within| {
-                    let (hit, number) = nearest(world, ray, within)?;
+                    let (hit, number) = right(world, ray, within)?;
                     Some((turned(hit, hit.normal, ray), number))
                 },
             ),

@@ -1,4 +1,4 @@
-//! Parallel cameras anywhere, compared with the lesson's.
+//! Parallel cameras anywhere, compared with the solution.
 
 use crate::prelude::*;
 
@@ -22,7 +22,6 @@ pub fn exercise() -> Exercise<Code> {
             let camera = new((AHEAD, 3.0))?;
             paint(&*camera, &|ray: &Ray| world.radiance(ray, 1), settings)
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "a wide picture shows more to the sides",

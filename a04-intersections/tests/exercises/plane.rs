@@ -1,4 +1,4 @@
-//! Planes anywhere, compared with the lesson's.
+//! Planes anywhere, compared with the solution.
 
 use crate::prelude::*;
 
@@ -16,7 +16,6 @@ pub fn exercise() -> Exercise<Code> {
                 new(([x[0], x[1], x[2]], [x[3], x[4], x[5]]))
             })
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::from_right("a plane need not pass through the origin", |right| {
                 new_shape(move |(_, n)| right(([0.0; 3], n)))

@@ -1,4 +1,4 @@
-//! Spheres anywhere, compared with the lesson's.
+//! Spheres anywhere, compared with the solution.
 
 use crate::prelude::*;
 
@@ -11,7 +11,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-2", scene_2, ([0.0, 0.0, -3.0], 0.5)),
         remark: Some(|new: &Code| corpus("sphere", &|x: &[f64]| new(([x[0], x[1], x[2]], x[3])))),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "from inside, only the far root is ahead",

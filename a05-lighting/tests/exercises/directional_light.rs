@@ -1,4 +1,4 @@
-//! Far lights, compared with the lesson's.
+//! Far lights, compared with the solution.
 
 use crate::prelude::*;
 
@@ -13,11 +13,6 @@ type Other = Variant<Code>;
 
 const COLOR: [f64; 3] = [1.0, 0.5, 0.25];
 
-pub fn directional_light(color: Color, direction: Vector3) -> Option<Illumination> {
-    let sun = DirectionalLight::new(color, direction);
-    sun.ok()?.illumination(Point3::ORIGIN)
-}
-
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
         view: scenes::phong_directional,
@@ -28,7 +23,6 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::scene("phong-directional", move |light, settings| {
             lit.rendered(light, settings)
         }),
-        right: vec![code!()],
         wrong: vec![Other::from_right(
             "a direction without a length leads nowhere",
             |right| {

@@ -1,4 +1,4 @@
-//! Matt surfaces, compared with the lesson's.
+//! Matt surfaces, compared with the solution.
 
 use crate::prelude::*;
 
@@ -9,11 +9,6 @@ yours! {
 type Code = Shading<[f64; 3]>;
 type Other = Variant<Code>;
 
-pub fn lambert(diffuse: Color, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-    let matt = Lambert::new(diffuse);
-    matt.map_or(Color::BLACK, |matt| matt.color_for(ray, hit, lighting))
-}
-
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::scene("lambert", |lambert: &Code, settings| {
@@ -21,7 +16,6 @@ pub fn exercise() -> Exercise<Code> {
                 lambert(diffuse.channels(), ray, hit, lights)
             })
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new("no light is negative", textbook(|cosine| cosine)),
             Other::new(

@@ -1,4 +1,4 @@
-//! Shiny surfaces, compared with the lesson's.
+//! Shiny surfaces, compared with the solution.
 
 use crate::prelude::*;
 
@@ -11,17 +11,6 @@ yours! {
 type Code = Shading<([[f64; 3]; 2], f64)>;
 type Other = Variant<Code>;
 
-pub fn phong(
-    [diffuse, specular]: [Color; 2],
-    exponent: f64,
-    ray: &Ray,
-    hit: &Hit,
-    lighting: &dyn Lighting,
-) -> Color {
-    let shiny = Phong::new(diffuse, specular, exponent);
-    shiny.map_or(Color::BLACK, |shiny| shiny.color_for(ray, hit, lighting))
-}
-
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::scene("phong", |phong: &Code, settings| {
@@ -30,7 +19,6 @@ pub fn exercise() -> Exercise<Code> {
                 phong((colors, 64.0), ray, hit, lights)
             })
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "light from behind has no highlight",

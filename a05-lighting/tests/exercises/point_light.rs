@@ -1,4 +1,4 @@
-//! Lamps, compared with the lesson's.
+//! Lamps, compared with the solution.
 
 use crate::prelude::*;
 
@@ -6,10 +6,6 @@ yours! { point_light => light_at(|(c, lamp), p| point_light(color(c), point(lamp
 
 type Code = LightAt<([f64; 3], [f64; 3])>;
 type Other = Variant<Code>;
-
-pub fn point_light(color: Color, lamp: Point3, point: Point3) -> Option<Illumination> {
-    PointLight::new(color, lamp).ok()?.illumination(point)
-}
 
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
@@ -22,7 +18,6 @@ pub fn exercise() -> Exercise<Code> {
             lit.rendered(light, settings)
         }),
         drawing: drawing(three_lamps),
-        right: vec![code!()],
         wrong: vec![Other::from_right(
             "this lamp is as bright at every distance",
             |right| {

@@ -9,7 +9,6 @@ yours! {
 }
 
 type Code = LightAt<Spot>;
-type Other = Variant<Code>;
 
 /// Colour, place and direction of a lamp, and the inner and the outer angle.
 type Spot = ([f64; 3], [f64; 3], [f64; 3], [f64; 2]);
@@ -25,7 +24,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
-        wrong: vec![Other::new("the fraction has no crease", light_at(creased))],
         ..lights([Lights {
             words: "light {} at {}, which shines along {}, inner and outer angle {}",
             first: (COLOR, LAMP, [0.0, -2.0, 0.0], ANGLES),
@@ -55,15 +53,4 @@ fn at_borders() -> Vec<(Spot, [f64; 3])> {
         points.push((spot, at_angle(&mut r, lamp, direction, angle)));
     }
     points
-}
-
-/// A spot whose rim fades in a straight line.
-fn creased((c, lamp, direction, [inner, outer]): Spot, p: Point3) -> Arriving {
-    let mut light = PointLight::new(color(c), point(lamp))
-        .ok()?
-        .illumination(p)?;
-    let angle = (-light.direction).angle(vector(direction));
-    let fraction = (outer - angle) / (outer - inner);
-    light.color = light.color * fraction.min(1.0);
-    (fraction > 0.0).then_some(light)
 }

@@ -1,4 +1,4 @@
-//! Cones of light of all angles, compared with the lesson's.
+//! Cones of light of all angles, compared with the solution.
 
 use std::f64::consts::PI;
 
@@ -16,17 +16,6 @@ type Other = Variant<Code>;
 /// Colour, place and axis of a lamp, and the half angle.
 type Cone = ([f64; 3], [f64; 3], [f64; 3], f64);
 
-pub fn spot_light(
-    color: Color,
-    lamp: Point3,
-    axis: Vector3,
-    half_angle: f64,
-    point: Point3,
-) -> Option<Illumination> {
-    let spot = SpotLight::new(color, lamp, axis, half_angle);
-    spot.ok()?.illumination(point)
-}
-
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
         view: scenes::phong_spot,
@@ -37,7 +26,6 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::scene("phong-spot", move |light, settings| {
             lit.rendered(light, settings)
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "a wide cone shines behind the lamp, too",

@@ -1,4 +1,4 @@
-//! Rays in random worlds of mirrors, compared with the lesson's tracer.
+//! Rays in random worlds of mirrors, compared with the solution.
 
 use std::sync::Arc;
 
@@ -8,10 +8,6 @@ yours! { trace => std::sync::Arc::new(trace) }
 
 type Code = Arc<dyn Fn(&ShadowedWorld, &Ray, u32) -> Color + Send + Sync>;
 type Other = Variant<Code>;
-
-pub fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
-    RecursiveTracer::new(world).trace(ray, depth)
-}
 
 pub fn exercise() -> Exercise<Code> {
     // To the background, to the floor, which mirrors it, and to the triangle.
@@ -52,7 +48,6 @@ pub fn exercise() -> Exercise<Code> {
                 trace(world, ray, depth)
             })
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::from_right("the last surface mirrors black", |right| {
                 Arc::new(move |world, ray, depth| right(world, ray, depth + 1))

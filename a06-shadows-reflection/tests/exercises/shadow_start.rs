@@ -50,14 +50,6 @@ pub fn exercise() -> Exercise<Code> {
                 "below a plane the depth is positive",
                 raised(|depth| (-depth).max(0.0)),
             ),
-            Other::new(
-                "at a corner the start is this corner",
-                Arc::new(raised_by_a_third),
-            ),
-            Other::new(
-                "each corner has a plane of its own",
-                Arc::new(raised_from_one_plane),
-            ),
         ],
         ..Exercise::default()
     }
@@ -89,28 +81,4 @@ fn raised(rise: fn(f64) -> f64) -> Code {
         }
         start
     })
-}
-
-fn raised_by_a_third(corners: Corners, normals: [Normal3; 3], weights: [f64; 3]) -> Point3 {
-    let p = mean(corners, weights);
-    let mut start = p;
-    for corner in 0..3 {
-        let depth = (corners[corner] - p).dot(normals[corner]);
-        start = start + Vector3::from(normals[corner]) * (depth.max(0.0) / 3.0);
-    }
-    start
-}
-
-/// The start above the plane of the interpolated normal.
-fn raised_from_one_plane(corners: Corners, normals: [Normal3; 3], weights: [f64; 3]) -> Point3 {
-    let p = mean(corners, weights);
-    let [a, b, c] = normals;
-    let normal = Vector3::from(a) * weights[0] + b * weights[1] + c * weights[2];
-    let normal = normal.normalized().unwrap_or_default();
-    let mut rise = 0.0;
-    for corner in 0..3 {
-        let depth = (corners[corner] - p).dot(normal);
-        rise += weights[corner] * depth.max(0.0);
-    }
-    p + normal * rise
 }

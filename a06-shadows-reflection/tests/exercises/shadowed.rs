@@ -1,4 +1,4 @@
-//! A ball before, behind and beyond lights in worlds of all sizes, compared with the lesson.
+//! A ball before, behind and beyond lights in worlds of all sizes, compared with the solution.
 
 use std::sync::Arc;
 
@@ -32,7 +32,6 @@ pub fn exercise() -> Exercise<Code> {
                 tracer.trace(ray, depth)
             })
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new("objects beyond it cast none", up_to(|_| 1e300)),
             Other::new("the lamp's ceiling blocks nothing", up_to(|d| d)),

@@ -1,4 +1,4 @@
-//! Chains of steps, compared with the lesson's `Transform`.
+//! Chains of steps, compared with the solution.
 
 use crate::prelude::*;
 
@@ -7,7 +7,7 @@ yours! { chain }
 type Code = fn(&[Step]) -> [Mat4x4; 2];
 type Other = Variant<Code>;
 
-pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
+fn right(steps: &[Step]) -> [Mat4x4; 2] {
     let transform = transform(steps);
     [transform.matrix(), transform.inverse()]
 }
@@ -35,19 +35,18 @@ pub fn exercise() -> Exercise<Code> {
             let [_, inverse] = chain(&steps_of_box());
             Ok(world.with(under_inverse(upright_box()?, inverse), yellow()?))
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new("the last step is applied first", |steps| {
                 let reversed: Vec<_> = steps.iter().rev().copied().collect();
-                chain(&reversed)
+                right(&reversed)
             }),
             Other::new("the last step is undone last", |steps| {
                 let mut inverses = inverses(steps);
                 inverses.reverse();
-                [chain(steps)[0], product(&inverses)]
+                [right(steps)[0], product(&inverses)]
             }),
             Other::new("only a turn is undone by its transpose", |steps| {
-                let [matrix, _] = chain(steps);
+                let [matrix, _] = right(steps);
                 [matrix, matrix.transposed()]
             }),
         ],

@@ -1,4 +1,4 @@
-//! Discs anywhere, compared with the lesson's.
+//! Discs anywhere, compared with the solution.
 
 use crate::prelude::*;
 
@@ -31,7 +31,6 @@ pub fn exercise() -> Exercise<Code> {
                 new(([x[0], x[1], x[2]], [x[3], x[4], x[5]], x[6]))
             })
         }),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "the rim belongs to the disc",

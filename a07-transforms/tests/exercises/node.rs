@@ -1,4 +1,4 @@
-//! Nodes of balls and a smooth triangle under chains of steps, compared with the lesson's.
+//! Nodes of balls and a smooth triangle under chains of steps, compared with the solution.
 
 use crate::prelude::*;
 
@@ -39,7 +39,6 @@ pub fn exercise() -> Exercise<Code> {
             Ok(world.with(node, yellow()?))
         }),
         drawing: drawing(flower),
-        right: vec![code!()],
         wrong: vec![
             Other::new(
                 "the nearest counts, not the first of the list",

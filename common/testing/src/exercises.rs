@@ -55,15 +55,13 @@ pub type Made<T> = Result<T, ArgumentError>;
 /// The student's code of a check: the names that a student's file defines, and an expression of
 /// them and of the prelude, in the form that the questions of the exercise take, such as
 /// `yours! { Sphere => new_shape(|(c, r)| Sphere::new(point(c), r)) }`; or a name alone. It is
-/// compiled with the names of the student's file, of the starter, and of the solution; and
-/// `code!()` is that of the lesson, if the check sees such names.
+/// compiled with the names of the student's file, of the starter, and of the solution.
 #[macro_export]
 macro_rules! yours {
     ($name:ident) => { $crate::yours! { $name => $name } };
     ($($name:ident),+ => $code:expr) => {
-        /// The code with the names of a module, or with those in scope.
+        /// The code with the names of a module.
         macro_rules! code {
-            () => { $code };
             ($module:path) => {{
                 use $module as module;
                 use module::{$($name),+};

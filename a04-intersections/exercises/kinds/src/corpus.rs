@@ -12,9 +12,6 @@ use testing::exercises::Made;
 
 use crate::shape::Shape as Yours;
 
-/// The first words of the remark, by which `cargo learn corpus` finds it.
-const FIRST: &str = "The corpus of ray failures:";
-
 /// A remark: for how many rays of the corpus a shape is right, which some numbers describe, and the
 /// first for which it is not. It is asked the rays that the lesson has been asked, to which it is compared.
 ///
@@ -51,7 +48,7 @@ pub fn corpus(name: &str, new: &dyn Fn(&[f64]) -> Made<Yours>) -> Result<String,
         asked.push(case.question.id);
     }
     let mut words = format!(
-        "{FIRST} your {name} is right for {right} of {} rays",
+        "The corpus of ray failures: your {name} is right for {right} of {} rays",
         asked.len()
     );
     for Recorded { name, results } in recorded() {

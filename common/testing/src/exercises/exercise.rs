@@ -31,8 +31,6 @@ pub struct Exercise<C> {
     pub section_of_rays: Option<&'static str>,
     /// Says something about code that is right.
     pub remark: Option<Remark<C>>,
-    /// Right code beside the solution, such as the lesson's.
-    pub right: Vec<C>,
     /// Mistakes that all code of its kind may have, such as all shapes.
     pub usual: Vec<Variant<C>>,
     /// Further mistakes.
@@ -49,7 +47,6 @@ impl<C> Default for Exercise<C> {
             drawing: None,
             section_of_rays: None,
             remark: None,
-            right: Vec::new(),
             usual: Vec::new(),
             wrong: Vec::new(),
         }

@@ -57,10 +57,9 @@ struct Author {
     records: bool,
 }
 
-/// Proves that starters are to do, that examples hold for the solutions, that right code is
-/// accepted and mistakes are refused and recognised, and that the recorded answers are those of the
-/// solutions. A solution in which something is missing, as in a workbook for students, is not
-/// proved.
+/// Proves that starters are to do, that solutions are accepted with their examples, that mistakes are
+/// refused and recognised, and that the recorded answers are those of the solutions. A solution in
+/// which something is missing, as in a workbook for students, is not proved.
 ///
 /// The arguments are those of every test. With a part of a name, the messages about
 /// mistakes are printed, and the pictures of the solutions are saved, with the drawings of starters
@@ -124,16 +123,10 @@ impl<C: 'static> Codes<C> {
         author.compare(name, &record)?;
 
         let found = solution.run(self.examples, &record, folder, author.reader());
-        accept("the solution", &found)?;
-        author.compare_picture(name, &found)?;
-        for code in (self.exercise)().right {
-            accept(
-                "the lesson",
-                &self
-                    .program(code)
-                    .run(|| (), &record, folder, Reader::Author),
-            )?;
+        if !found.verdict.wrong.is_empty() {
+            return Err(format!("the solution: {}", found.verdict.wrong.join("\n")).into());
         }
+        author.compare_picture(name, &found)?;
         for (overlooks, program) in mistakes {
             let found = program.run(|| (), &record, folder, author.reader());
             let known = found.verdict.known.as_deref().unwrap_or_default();
@@ -235,12 +228,4 @@ impl Author {
             );
         }
     }
-}
-
-/// Fails if right code is refused.
-fn accept(whose: &str, found: &Findings) -> Proof {
-    if found.verdict.wrong.is_empty() {
-        return Ok(());
-    }
-    Err(format!("{whose}: {}", found.verdict.wrong.join("\n")).into())
 }
