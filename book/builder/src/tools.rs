@@ -1,9 +1,9 @@
 //! The programs that build and check the book, installed below `target/`.
 
-use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
 
 use crate::command::{output, run};
 use crate::file;
@@ -45,9 +45,14 @@ pub fn command(name: &str) -> Result<Command, String> {
 }
 
 /// Installs each program whose version is not there yet, one after the other: they are built in one
-/// folder, in which the second one finds most of its libraries.
+/// folder, in which the second one finds libraries of the first one.
 pub fn install(tools: &[Tool]) -> Result<(), String> {
-    tools.iter().try_for_each(Tool::install)
+    tools.iter().try_for_each(Tool::install)?;
+    let folder = build_folder()?;
+    if folder.exists() {
+        fs::remove_dir_all(&folder).map_err(file::with_path(&folder))?;
+    }
+    Ok(())
 }
 
 impl Tool {
@@ -64,7 +69,7 @@ impl Tool {
         let mut cargo = Command::new("cargo");
         // A program that runs for a second need not be optimised, and then builds sooner.
         cargo.env("CARGO_PROFILE_DEV_DEBUG", "false");
-        cargo.env("CARGO_TARGET_DIR", folder()?.join("build"));
+        cargo.env("CARGO_TARGET_DIR", build_folder()?);
         cargo.args(["install", "--quiet", "--locked", "--debug", "--root"]);
         cargo.arg(folder()?).arg(format!("{name}@{version}"));
         run(cargo.args(*arguments))
@@ -83,6 +88,11 @@ impl Tool {
 /// The folder in which the programs are installed.
 fn folder() -> Result<PathBuf, String> {
     file::absolute(Path::new("target/book-tools"))
+}
+
+/// The folder in which they are built, which is removed afterwards.
+fn build_folder() -> Result<PathBuf, String> {
+    Ok(folder()?.join("build"))
 }
 
 /// The folders in which programs are looked for, our own first.
