@@ -41,6 +41,13 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
                 &format!("while it was compiled: {why}"),
             ));
         }
+        // Cargo ends by itself where the system has ended the compiler, such as for want of memory.
+        _ if built.output.contains("(signal: ") => {
+            return Ok(Outcome::without_answers(
+                State::NeedsALook,
+                "while it was compiled: the compiler was stopped",
+            ));
+        }
         _ => return Ok(wrong(&sandbox.words(&built, "does not compile"))),
     }
     let program = learn::find_program(&built.output)?;
