@@ -1,5 +1,6 @@
-//! Compares the hits of the engine with the hits of the lesson's list, bit by bit, in a
-//! picture in which a pixel is the hit of a ray of its own, for the tests of this stage and of those above.
+//! Compares the hits of the engine, by each of its instruction sets, with the hits of the lesson's list,
+//! bit by bit, in a picture in which a pixel is the hit of a ray of its own, for the tests of this stage and
+//! of those above.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -53,23 +54,28 @@ pub fn compare(world: &World<usize>, shapes: Shapes, rays: &[Ray]) -> usize {
         all.extend((0..64).map(|k| near(ray, k)));
     }
 
-    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
-    shapes.add_objects(&mut scene, world, |surface| {
-        let shade = |ray: &_, hit: &_| pixel(&Ray::from(ray), &Hit::from(hit), *surface);
-        Surface::matt(Shading::Other(Box::new(shade)))
-    });
     let height = 2 * (all.len() / 64);
     let settings = Settings {
         size: Size::new(32, height as u32).unwrap(),
         ..Settings::default()
     };
-    let ray_for = |_, x: f64, y: f64| (&all[number(x as usize, y as usize)].0).into();
-    let renderer = Renderer::new(scene, Camera::Other(Box::new(ray_for)), &settings);
-    let of_engine = renderer.render(&Sampler::new(&settings), &settings, &());
-    for (y, row) in (0..height).rev().zip(of_engine.unwrap().rows()) {
-        for (x, engine) in row.iter().enumerate() {
-            let (ray, list) = &all[number(x, y)];
-            assert_eq!(engine, list, "{ray:?}");
+    let render = || {
+        let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
+        shapes.add_objects(&mut scene, world, |surface| {
+            let shade = |ray: &_, hit: &_| pixel(&Ray::from(ray), &Hit::from(hit), *surface);
+            Surface::matt(Shading::Other(Box::new(shade)))
+        });
+        let ray_for = |_, x: f64, y: f64| (&all[number(x as usize, y as usize)].0).into();
+        let renderer = Renderer::new(scene, Camera::Other(Box::new(ray_for)), &settings);
+        let picture = renderer.render(&Sampler::new(&settings), &settings, &());
+        picture.unwrap()
+    };
+    for of_engine in [render(), engine::at_baseline(render)] {
+        for (y, row) in (0..height).rev().zip(of_engine.rows()) {
+            for (x, engine) in row.iter().enumerate() {
+                let (ray, list) = &all[number(x, y)];
+                assert_eq!(engine, list, "{ray:?}");
+            }
         }
     }
     alone.iter().filter(|(_, hit)| *hit != Color::BLACK).count()

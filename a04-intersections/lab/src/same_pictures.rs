@@ -1,4 +1,4 @@
-//! Compares the pictures of the three renderers in random scenes.
+//! Compares the pictures of the three renderers, and of the engine's instruction sets, in random scenes.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -14,7 +14,7 @@ const SIDE: u32 = 32;
 /// Renders a random scene with all renderers, and returns the lesson's picture; none if a number is
 /// beyond the limits of the lesson.
 pub fn compare(seed: u64, view: impl Fn(Place) -> Result<View, ArgumentError>) -> Option<Image> {
-    let [lesson, engine, all_work] = Renderer::ALL.map(|renderer| {
+    let render = |renderer| {
         let settings = Settings {
             size: Size::new(SIDE, SIDE).ok()?,
             depth: 4,
@@ -23,9 +23,16 @@ pub fn compare(seed: u64, view: impl Fn(Place) -> Result<View, ArgumentError>) -
         };
         let view = view(Place::new(seed)).ok()?;
         view.render(&settings, &()).ok()
-    });
+    };
+    let [lesson, engine, all_work] = Renderer::ALL.map(render);
+    let baseline = engine::at_baseline(|| render(Renderer::Engine));
     let lesson = lesson?;
-    for (name, other) in [("the engine", engine), ("all work", all_work)] {
+    let others = [
+        ("the engine", engine),
+        ("the engine at the baseline", baseline),
+        ("all work", all_work),
+    ];
+    for (name, other) in others {
         let other = other?;
         let mut different = 0;
         for (a, b) in lesson.pixels().iter().zip(other.pixels()) {

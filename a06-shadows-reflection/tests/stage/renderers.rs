@@ -1,5 +1,6 @@
 //! Random worlds, with shapes, materials and lights of a student's own: engine and all
-//! work draw the lesson's pictures, to the last bit.
+//! work draw the lesson's pictures, to the last bit; the engine also with the instructions that
+//! each processor has.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, View};
@@ -173,7 +174,7 @@ fn view(seed: u64) -> Result<View<ShadowedWorld>, ArgumentError> {
 
 /// Renders a picture of random settings with all renderers, and returns the lesson's.
 fn check_same(seed: u64, size: Size, depth: u32, view: &dyn Fn() -> View) -> Image {
-    let [lesson, engine, all] = Renderer::ALL.map(|renderer| {
+    let render = |renderer| {
         let settings = Settings {
             size,
             samples: 1 + seed as u32 % 2,
@@ -183,8 +184,14 @@ fn check_same(seed: u64, size: Size, depth: u32, view: &dyn Fn() -> View) -> Ima
             ..Settings::default()
         };
         view().render(&settings, &()).unwrap()
-    });
+    };
+    let [lesson, engine, all] = Renderer::ALL.map(render);
+    let baseline = engine::at_baseline(|| render(Renderer::Engine));
     assert!(engine == lesson, "the engine differs, seed {seed}");
+    assert!(
+        baseline == lesson,
+        "the engine at the baseline differs, seed {seed}"
+    );
     assert!(all == lesson, "all work differs, seed {seed}");
     lesson
 }

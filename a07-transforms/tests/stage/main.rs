@@ -13,6 +13,7 @@ mod explained;
 mod export;
 mod extreme_scenes;
 mod lamps_on_groups;
+mod levels;
 mod negative_zeros;
 mod node;
 mod own_shape;

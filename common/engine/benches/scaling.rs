@@ -1,8 +1,8 @@
 //! How build time and time per ray grow with the number of objects.
 //!
 //! ```console
-//! $ cargo bench --config .cargo/native.toml -p engine --bench scaling             a table
-//! $ cargo bench --config .cargo/native.toml -p engine --bench scaling -- --book   and the plot of the book
+//! $ cargo bench -p engine --bench scaling             a table
+//! $ cargo bench -p engine --bench scaling -- --book   and the plot of the book
 //! ```
 //!
 //! From ten spheres in a cube to a million, which fill a ninth of it. Times in nanoseconds on

@@ -1,10 +1,11 @@
 //! `Camera`: computes the rays through positions in a picture.
 
 use common::Size;
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use crate::Ray;
-use crate::lanes::{Lanes, RayPacket, Vector3x4, in_fours};
+use crate::lanes::{RayPacket, Vector3x4, in_fours, lanes, splat};
 use crate::vector::normalized;
 
 /// The ray through the position (x, y) in a picture of this size: whole numbers are the
@@ -47,7 +48,14 @@ pub struct Basis {
 impl Camera<'_> {
     /// Adds a packet for each four positions to `packets`. In the last packet the last position
     /// repeats.
-    pub(crate) fn rays(&self, size: Size, positions: &[(f64, f64)], packets: &mut Vec<RayPacket>) {
+    #[inline(always)]
+    pub(crate) fn rays<S: Simd>(
+        &self,
+        simd: S,
+        size: Size,
+        positions: &[(f64, f64)],
+        packets: &mut Vec<RayPacket<S>>,
+    ) {
         let [width, height] = [size.width(), size.height()].map(f64::from);
         let fours = in_fours(positions);
         match self {
@@ -57,7 +65,7 @@ impl Camera<'_> {
             } => {
                 let middle = ((width - 1.0) / 2.0, (height - 1.0) / 2.0);
                 let z = (height / 2.0) / half_tangent;
-                packets.extend(fours.map(|four| basis.perspective_rays(middle, z, four)));
+                packets.extend(fours.map(|four| basis.perspective_rays(simd, middle, z, four)));
             }
             Self::Orthographic { basis, scale } => {
                 let aspect = width / height;
@@ -69,11 +77,11 @@ impl Camera<'_> {
                         direction: -basis.w,
                     }
                 };
-                packets.extend(fours.map(|four| RayPacket::new(four.map(ray).each_ref())));
+                packets.extend(fours.map(|four| RayPacket::new(simd, four.map(ray).each_ref())));
             }
             Self::Other(ray_for) => {
                 let ray = |(x, y)| ray_for(size, x, y);
-                packets.extend(fours.map(|four| RayPacket::new(four.map(ray).each_ref())));
+                packets.extend(fours.map(|four| RayPacket::new(simd, four.map(ray).each_ref())));
             }
         }
     }
@@ -87,23 +95,24 @@ fn from_middle(p: f64, n: f64) -> f64 {
 impl Basis {
     /// The rays from the eye through four positions in a picture with this middle, at the
     /// distance `z`.
-    #[inline]
-    fn perspective_rays(
+    #[inline(always)]
+    fn perspective_rays<S: Simd>(
         &self,
+        simd: S,
         (middle_x, middle_y): (f64, f64),
         z: f64,
         positions: [(f64, f64); 4],
-    ) -> RayPacket {
-        let [u, v, w] = [self.u, self.v, self.w].map(Vector3x4::splat);
-        let x = Lanes::new(positions.map(|(x, _)| x)) - Lanes::splat(middle_x);
-        let y = Lanes::new(positions.map(|(_, y)| y)) - Lanes::splat(middle_y);
-        let (mut direction, is_unit) = (u * x + v * y - w * Lanes::splat(z)).normalized();
-        if !is_unit.all() {
+    ) -> RayPacket<S> {
+        let [u, v, w] = [self.u, self.v, self.w].map(|axis| Vector3x4::splat(simd, axis));
+        let x = lanes(simd, positions.map(|(x, _)| x)) - middle_x;
+        let y = lanes(simd, positions.map(|(_, y)| y)) - middle_y;
+        let (mut direction, is_unit) = (u * x + v * y - w * splat(simd, z)).normalized();
+        if !is_unit.all_true() {
             let one = |(x, y)| self.direction(x - middle_x, y - middle_y, z);
-            direction = Vector3x4::new(positions.map(one));
+            direction = Vector3x4::new(simd, positions.map(one));
         }
         RayPacket {
-            origin: Vector3x4::splat(self.e),
+            origin: Vector3x4::splat(simd, self.e),
             direction,
         }
     }

@@ -5,6 +5,11 @@
 //! the formulas of the lessons in the same order of operations, for four rays side by side,
 //! and skips tests only of shapes that a ray cannot hit. The README beside this crate has a map.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a function on lanes has to become a part of its caller: see `lanes`"
+)]
+
 mod accel;
 pub mod adaptive;
 mod camera;
@@ -20,6 +25,7 @@ mod vector;
 mod view;
 
 pub use camera::{Basis, Camera, RayFn};
+pub use lanes::level::at_baseline;
 pub use ray::{Hit, Ray};
 pub use renderer::Renderer;
 pub use sampler::Sampler;

@@ -4,6 +4,7 @@ use common::{Color, Error, Image, Omission, Omissions, Progress, Settings};
 
 use crate::accel::Accelerator;
 use crate::adaptive::{self, Radiance};
+use crate::lanes::level::{Level, level};
 use crate::shade::{RadianceBound, max_radiance};
 use crate::trace::Tracer;
 use crate::view::View;
@@ -17,6 +18,7 @@ const CUTOFF: f64 = 1.0 / 8.0;
 pub struct Renderer<'a> {
     camera: Camera<'a>,
     tracer: Tracer<'a>,
+    level: Level,
 }
 
 impl<'a> Renderer<'a> {
@@ -51,7 +53,11 @@ impl<'a> Renderer<'a> {
             cutoff,
             omissions,
         };
-        Self { camera, tracer }
+        Self {
+            camera,
+            tracer,
+            level: level(),
+        }
     }
 
     /// Renders a picture.
@@ -89,6 +95,7 @@ impl<'a> Renderer<'a> {
             tracer: &self.tracer,
             settings,
             progress,
+            level: self.level,
         }
     }
 }

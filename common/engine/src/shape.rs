@@ -19,7 +19,7 @@ mod triangle;
 
 use glam::DVec3;
 
-use crate::lanes::{Lanes, PacketHit, bits, is_set};
+use crate::lanes::{Lanes, PacketHit, Simd, bits, is_set, splat};
 use crate::{Hit, Ray};
 
 pub use axis_aligned_box::AxisAlignedBox;
@@ -136,55 +136,70 @@ impl Shape<'_> {
         with_primitive!(self, |primitive| primitive.depth_error())
     }
 
-    #[inline]
-    fn intersect(&self, rays: &Rays, active: u32) -> Lanes {
+    #[inline(always)]
+    fn intersect<S: Simd>(&self, rays: &Rays<S>, active: u32) -> Lanes<S> {
         with_primitive!(self, |primitive| intersect(primitive, rays, active))
     }
 
-    fn hits(&self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+    #[inline(always)]
+    fn hits<S: Simd>(&self, rays: &Rays<S>, t: Lanes<S>, active: u32) -> PacketHit<S> {
         with_primitive!(self, |primitive| primitive.hits(rays, t, active))
     }
 
-    fn any_hit_of_parts(&self, rays: &Rays, before: Lanes, active: u32, counts: Counts) -> u32 {
+    fn any_hit_of_parts<S: Simd>(
+        &self,
+        rays: &Rays<S>,
+        before: Lanes<S>,
+        active: u32,
+        counts: Counts<S>,
+    ) -> u32 {
         with_primitive!(self, |primitive| primitive
             .any_hit_of_parts(rays, before, active, counts))
     }
 }
 
 /// Where four rays meet one shape.
-#[inline]
-fn intersect<P: Primitive>(shape: P, rays: &Rays, active: u32) -> Lanes {
-    P::intersect(&P::four([shape; 4]), rays, active)
+#[inline(always)]
+fn intersect<S: Simd, P: Primitive>(shape: P, rays: &Rays<S>, active: u32) -> Lanes<S> {
+    P::intersect(&P::four(rays.packet.simd(), [shape; 4]), rays, active)
 }
 
 impl Primitive for &Other<'_> {
     /// A leaf holds one of them only.
-    type Four = Self;
+    type Four<S: Simd> = Self;
 
-    fn four([shape, ..]: [Self; 4]) -> Self {
+    fn four<S: Simd>(_: S, [shape, ..]: [Self; 4]) -> Self {
         shape
     }
 
-    fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
-        shape.hits(rays, Lanes::ZERO, active).t
+    fn intersect<S: Simd>(shape: &Self, rays: &Rays<S>, active: u32) -> Lanes<S> {
+        shape.hits(rays, splat(rays.packet.simd(), 0.0), active).t
     }
 
-    fn hits(self, rays: &Rays, _: Lanes, active: u32) -> PacketHit {
+    fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, active: u32) -> PacketHit<S> {
         let rays = rays.packet.to_rays();
-        PacketHit::new([0, 1, 2, 3].map(|lane| {
+        let hits = [0, 1, 2, 3].map(|lane| {
             let hit = is_set(active, lane).then(|| (self.hit)(&rays[lane]));
             hit.flatten().unwrap_or(Hit::NONE)
-        }))
+        });
+        PacketHit::new(t.simd, hits)
     }
 
-    fn any_hit_of_parts(self, rays: &Rays, before: Lanes, active: u32, counts: Counts) -> u32 {
+    fn any_hit_of_parts<S: Simd>(
+        self,
+        rays: &Rays<S>,
+        before: Lanes<S>,
+        active: u32,
+        counts: Counts<S>,
+    ) -> u32 {
         let Some(any_hit) = &self.any_hit else {
             return 0;
         };
-        let (rays, before) = (rays.packet.to_rays(), before.to_array());
+        let simd = before.simd;
+        let rays = rays.packet.to_rays();
         let mut found = 0;
         for lane in bits(active) {
-            let counts = |hit: &Hit| is_set(counts(&PacketHit::new([*hit; 4])), lane);
+            let counts = |hit: &Hit| is_set(counts(&PacketHit::new(simd, [*hit; 4])), lane);
             if any_hit(&rays[lane], before[lane], &counts) {
                 found |= 1 << lane;
             }

@@ -12,6 +12,7 @@ mod offset_ray;
 
 use common::steps::{self, StepKind};
 use common::{Color, Omission, Omissions};
+use fearless_simd::prelude::*;
 
 use crate::accel::{Accelerator, NearestHits, NearestQuery, PACKETS};
 use crate::lanes::{ColorPacket, RayPacket, bits, mask};
@@ -49,14 +50,26 @@ impl Tracer<'_> {
 
     /// The light along the first rays of some packets, one for each element of `light`;
     /// fastest if they are neighbours.
-    pub fn trace(&self, packets: &[RayPacket], light: &mut [Color], batch: &mut Batch) {
+    #[inline(always)]
+    pub fn trace<S: Simd>(
+        &self,
+        packets: &[RayPacket<S>],
+        light: &mut [Color],
+        batch: &mut Batch<S>,
+    ) {
         for (packets, light) in packets.chunks(BATCH / 4).zip(light.chunks_mut(BATCH)) {
             self.trace_batch(packets, light, batch);
         }
     }
 
     // ANCHOR: trace-batch
-    fn trace_batch(&self, rays: &[RayPacket], light: &mut [Color], batch: &mut Batch) {
+    #[inline(always)]
+    fn trace_batch<S: Simd>(
+        &self,
+        rays: &[RayPacket<S>],
+        light: &mut [Color],
+        batch: &mut Batch<S>,
+    ) {
         batch.start(rays, light.len(), self.lights.len());
         for bounce in 0..self.depth {
             let active = batch.active();
@@ -79,7 +92,9 @@ impl Tracer<'_> {
     // ANCHOR_END: trace-batch
 
     /// Finds the vertices of the active paths, and adds the background to rays without a hit.
-    fn find_vertices(&self, batch: &mut Batch) {
+    #[inline(always)]
+    fn find_vertices<S: Simd>(&self, batch: &mut Batch<S>) {
+        let simd = batch.simd;
         let Batch {
             paths,
             nearest,
@@ -91,7 +106,7 @@ impl Tracer<'_> {
         nearest.extend(active.map(|path| NearestQuery::new(&path.rays, path.active)));
         self.accelerator.traverse(nearest, &mut ());
 
-        let background = ColorPacket::splat(self.background);
+        let background = ColorPacket::splat(simd, self.background);
         let paths = paths.iter_mut().enumerate();
         let active = paths.filter(|(_, path)| path.active != 0);
         vertices.clear();
@@ -99,7 +114,7 @@ impl Tracer<'_> {
             let hit_mask = query.hit_mask();
             let missed = path.active & !hit_mask;
             if missed != 0 {
-                path.color = path.color + (path.throughput * background).masked(mask(missed));
+                path.color = path.color + (path.throughput * background).masked(mask(simd, missed));
             }
             path.active = hit_mask;
             if hit_mask != 0 {
@@ -109,8 +124,10 @@ impl Tracer<'_> {
     }
 
     /// Adds the light that the surfaces scatter to the path, and reflects its rays.
-    fn reflect(&self, path: &mut Path, Vertex { hits, color, .. }: &Vertex) {
-        path.color = path.color + (path.throughput * *color).masked(mask(path.active));
+    #[inline(always)]
+    fn reflect<S: Simd>(&self, path: &mut Path<S>, Vertex { hits, color, .. }: &Vertex<S>) {
+        let active = mask(path.rays.simd(), path.active);
+        path.color = path.color + (path.throughput * *color).masked(active);
         path.throughput = path.throughput * self.reflectance(hits);
         path.active &= !self.terminated(path.throughput, path.active);
         if path.active != 0 {
@@ -120,18 +137,19 @@ impl Tracer<'_> {
     }
 
     /// The reflectances of the surfaces.
-    #[inline]
-    fn reflectance(&self, hits: &NearestHits) -> ColorPacket {
+    #[inline(always)]
+    fn reflectance<S: Simd>(&self, hits: &NearestHits<S>) -> ColorPacket<S> {
+        let simd = hits.hit.t.simd;
         let reflectance = |index: u32| self.surfaces[index as usize].reflection;
         if hits.is_one_surface() {
-            return ColorPacket::splat(reflectance(hits.surfaces[0]));
+            return ColorPacket::splat(simd, reflectance(hits.surfaces[0]));
         }
-        ColorPacket::new(hits.surfaces.map(reflectance))
+        ColorPacket::new(simd, hits.surfaces.map(reflectance))
     }
 
     /// A bit for each active ray with a throughput so low that it is not followed further.
-    #[inline]
-    fn terminated(&self, throughput: ColorPacket, active: u32) -> u32 {
+    #[inline(always)]
+    fn terminated<S: Simd>(&self, throughput: ColorPacket<S>, active: u32) -> u32 {
         let mut terminated = 0;
         if self.omits(Omission::BlackMirrors) {
             terminated = throughput.are_black();

@@ -9,6 +9,8 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use crate::adaptive::{LightAt, Radiance};
+use crate::lanes::Simd;
+use crate::lanes::level::Level;
 use crate::sampler::image_position;
 use crate::trace::{BATCH, Batch, Tracer};
 use crate::{Camera, Sampler};
@@ -22,6 +24,8 @@ pub(crate) struct View<'v, 'a> {
     pub tracer: &'v Tracer<'a>,
     pub settings: &'v Settings,
     pub progress: &'v dyn Progress,
+    /// The instructions of this processor.
+    pub level: Level,
 }
 
 impl View<'_, '_> {
@@ -93,13 +97,34 @@ impl View<'_, '_> {
 
 impl Radiance for View<'_, '_> {
     fn tracer(&self) -> LightAt<'_> {
-        let (mut rays, mut batch) = (Vec::new(), Batch::default());
+        // `dispatch!` would compile four levels for x86-64.
+        #[cfg(target_arch = "x86_64")]
+        return match (self.level.as_avx2(), self.level.as_sse2()) {
+            (Some(avx2), _) => self.tracer_with(avx2),
+            (None, Some(sse2)) => self.tracer_with(sse2),
+            (None, None) => unreachable!("every x86-64 processor has SSE2"),
+        };
+        #[cfg(not(target_arch = "x86_64"))]
+        fearless_simd::dispatch!(self.level, simd => self.tracer_with(simd))
+    }
+}
+
+impl View<'_, '_> {
+    /// The tracer with these instructions.
+    fn tracer_with<S: Simd>(&self, simd: S) -> LightAt<'_> {
+        let (mut rays, mut batch) = (Vec::new(), Batch::new(simd));
         Box::new(move |positions, light| {
-            rays.clear();
-            self.camera.rays(self.settings.size, positions, &mut rays);
             steps::count(StepKind::CameraRay, positions.len() as u64);
             light.resize(positions.len(), Color::BLACK);
-            self.tracer.trace(&rays, light, &mut batch);
+            simd.vectorize(
+                #[inline(always)]
+                || {
+                    rays.clear();
+                    let size = self.settings.size;
+                    self.camera.rays(simd, size, positions, &mut rays);
+                    self.tracer.trace(&rays, light, &mut batch);
+                },
+            );
         })
     }
 }

@@ -2,11 +2,11 @@
 //!
 //! ```sh
 //! apt-get install povray tachyon time
-//! cargo bench --config .cargo/native.toml -p engine --bench peers
+//! cargo bench -p engine --bench peers
 //! ```
 //!
 //! Behind `--`, `torus cloud --size 640x480` takes two scenes, small, and `--alone --rounds 20` measures
-//! the gain of the second thread. The configuration builds for the processor at hand.
+//! the gain of the second thread.
 //!
 //! The columns of a missing program have no numbers, nor those of Tachyon in the scene
 //! `nodes`, because it has none. Scenes and pictures stay in `target/tmp/peers/`.

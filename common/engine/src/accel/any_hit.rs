@@ -1,23 +1,30 @@
 //! `AnyHitQuery`: a query for any hits of four rays that count.
 
+use fearless_simd::prelude::*;
+
 use super::ids::ShapeId;
 use super::query::Query;
-use crate::lanes::{Lanes, RayPacket, is_set};
+use crate::lanes::{Lanes, RayPacket, bits_of, is_set, lanes};
 use crate::shape::{Counts, Primitive, Rays};
 
 /// A query for any hits of four rays that count.
-pub(crate) struct AnyHitQuery<'q> {
-    rays: Rays,
+pub(crate) struct AnyHitQuery<'q, S: Simd> {
+    rays: Rays<S>,
     /// The `t` before which hits count.
-    before: Lanes,
-    counts: Counts<'q>,
+    before: Lanes<S>,
+    counts: Counts<'q, S>,
     /// A bit for each ray that has no hit that counts yet.
     unfound: u32,
 }
 
-impl<'q> AnyHitQuery<'q> {
+impl<'q, S: Simd> AnyHitQuery<'q, S> {
     /// A query for the active of four rays.
-    pub fn new(packet: &RayPacket, before: Lanes, active: u32, counts: Counts<'q>) -> Self {
+    pub fn new(
+        packet: &RayPacket<S>,
+        before: Lanes<S>,
+        active: u32,
+        counts: Counts<'q, S>,
+    ) -> Self {
         Self {
             rays: Rays::four(packet, active),
             before,
@@ -32,10 +39,10 @@ impl<'q> AnyHitQuery<'q> {
     }
 }
 
-impl Query for AnyHitQuery<'_> {
+impl<S: Simd> Query<S> for AnyHitQuery<'_, S> {
     type Shared = ();
 
-    fn rays(&self) -> &Rays {
+    fn rays(&self) -> &Rays<S> {
         &self.rays
     }
 
@@ -43,19 +50,19 @@ impl Query for AnyHitQuery<'_> {
         self.unfound
     }
 
-    fn t_max(&self) -> &Lanes {
+    fn t_max(&self) -> &Lanes<S> {
         &self.before
     }
 
     fn update<P: Primitive>(
         &mut self,
-        t: Lanes,
+        t: Lanes<S>,
         _: u32,
         _: ShapeId,
         primitive: impl FnOnce() -> P,
         (): &mut (),
     ) {
-        let hit = t.simd_lt(self.before).to_bitmask() & self.unfound;
+        let hit = bits_of(t.simd_lt(self.before)) & self.unfound;
         if hit == 0 {
             return;
         }
@@ -81,7 +88,8 @@ impl Query for AnyHitQuery<'_> {
         if is_set(self.unfound, lane) {
             let mut of_lane = [f64::NAN; 4];
             of_lane[lane] = t;
-            self.update(Lanes::new(of_lane), order, shape, primitive, &mut ());
+            let t = lanes(self.before.simd, of_lane);
+            self.update(t, order, shape, primitive, &mut ());
         }
     }
 }

@@ -8,13 +8,11 @@
 
 use std::ops::ControlFlow;
 
-use arrayvec::ArrayVec;
-use wide::f32x8;
-
 use super::ids::Leaf;
 use super::slabs::{Slabs, WIDTH};
 use super::tree_space::TreeSpace;
-use crate::lanes::bits;
+use crate::lanes::{Simd, bits};
+use arrayvec::ArrayVec;
 
 /// Most levels of a tree; see `bvh_build`.
 pub(super) const LEVELS: usize = 32;
@@ -31,8 +29,9 @@ pub(super) struct Bvh {
 
 /// The bounds of the children, axis by axis: the lower and the upper ones.
 #[derive(Debug)]
+#[repr(align(32))]
 pub(super) struct Node {
-    pub planes: [[f32x8; 2]; 3],
+    pub planes: [[[f32; WIDTH]; 2]; 3],
     pub children: [Child; WIDTH],
 }
 
@@ -44,11 +43,10 @@ pub(super) enum Child {
 }
 
 impl Node {
-    /// The bounds of one child, in all lanes.
+    /// The bounds of one child.
     #[inline]
-    pub fn planes_of(&self, child: usize) -> [[f32x8; 2]; 3] {
-        let lane = |planes: &f32x8| f32x8::splat(planes.as_array()[child]);
-        self.planes.each_ref().map(|ends| ends.each_ref().map(lane))
+    pub fn planes_of(&self, child: usize) -> [[f32; 2]; 3] {
+        self.planes.map(|sides| sides.map(|planes| planes[child]))
     }
 }
 
@@ -92,10 +90,10 @@ impl Bvh {
     /// Visits the leaves that rays may meet before `t_max`, in the space of the tree, near ones
     /// first, each with its node and its index in it. `visit` returns the new `t_max`, or ends the
     /// traversal.
-    #[inline]
-    pub fn traverse<const N: usize>(
+    #[inline(always)]
+    pub fn traverse<S: Simd, const N: usize>(
         &self,
-        slabs: &Slabs<N>,
+        slabs: &Slabs<S, N>,
         mut t_max: f32,
         mut visit: impl FnMut(Leaf, &Node, usize) -> ControlFlow<(), f32>,
     ) -> ControlFlow<()> {
@@ -108,7 +106,7 @@ impl Bvh {
                 Child::Leaf(leaf) => t_max = visit(leaf, &self.nodes[at.0], at.1)?,
                 Child::Node(index) => {
                     let node = &self.nodes[index as usize];
-                    let (t, hit) = slabs.intersect(&node.planes, f32x8::splat(t_max));
+                    let (t, hit) = slabs.intersect(&node.planes, t_max);
                     if hit.is_power_of_two() {
                         at = (index as usize, hit.trailing_zeros() as usize % WIDTH);
                         child = node.children[at.1];

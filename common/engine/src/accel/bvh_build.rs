@@ -3,7 +3,6 @@
 use std::sync::{Mutex, PoisonError};
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
-use wide::f32x8;
 
 use super::bvh::{Bvh, Child, LEVELS, Node};
 use super::ids::Leaf;
@@ -85,7 +84,7 @@ pub(super) fn node(children: &[(TreeBounds, Child)]) -> Node {
             .map_or(Child::Node(0), |(_, child)| *child)
     };
     Node {
-        planes: planes.map(|sides| sides.map(f32x8::new)),
+        planes,
         children: std::array::from_fn(child),
     }
 }

@@ -6,33 +6,34 @@
 //! Packets for Real-time Whitted Ray Tracing, 2008.)
 
 use arrayvec::ArrayVec;
+use fearless_simd::prelude::*;
 use glam::DVec3;
-use wide::{f32x8, f64x8};
 
-use super::slabs::{Side, Slab, Slabs, slack};
+use super::slabs::{Slab, Slabs, slack};
 use super::tree_space::TreeSpace;
-use crate::lanes::{Lanes, RayPacket, Vector3x4};
+use crate::lanes::{Lanes, RayPacket, Vector3x4, transposed};
 
 /// Packets of a bundle, at most.
 pub(crate) const PACKETS: usize = 16;
 
 /// Packets whose rays are close to each other.
-pub(super) struct Bundle {
+pub(super) struct Bundle<S: Simd> {
     /// All rays, for the eight children of a node.
-    pub all: Slabs<2>,
+    pub all: Slabs<S, 2>,
     /// The width added to its slabs, in the space of the tree.
     slack: f64,
 }
 
 /// The packets of a bundle: the rays of eight packets, one packet in each lane, for one box.
-pub(super) struct PacketSlabs(ArrayVec<Slabs<2>, { PACKETS / 8 }>);
+pub(super) struct PacketSlabs<S: Simd>(ArrayVec<Slabs<S, 2>, { PACKETS / 8 }>);
 
-impl Bundle {
+impl<S: Simd> Bundle<S> {
     /// The bundle of some packets, if their rays are coherent: along no axis do they go
     /// both ways, and up to the distance of 1 they stay within `width`. None if a coordinate of any
     /// ray is not finite, because nothing bounds such a ray.
-    #[inline]
-    pub fn new(space: &TreeSpace, packets: &[&RayPacket], width: f32) -> Option<Self> {
+    #[inline(always)]
+    pub fn new(space: &TreeSpace, packets: &[&RayPacket<S>], width: f32) -> Option<Self> {
+        let simd = packets[0].simd();
         let (origins, directions) = extremes_of_all(packets)?;
         let origins = origins.map(|o| (o - space.centre) * space.scale);
         let largest = {
@@ -48,75 +49,98 @@ impl Bundle {
             Some(dominant_axis(directions.map(DVec3::abs))?)
         };
         let slack = slack(largest);
-        let slab = |axis: usize| {
-            let [origins, directions] = [origins, directions].map(|ends| ends.map(|v| v[axis]));
-            let splat = |x: f64| f32x8::splat(x as f32);
-            Slab::new(Side::of(directions[0]), origins, directions, slack, splat)
-        };
+        let ([o_min, o_max], [d_min, d_max]) = (origins, directions);
         let all = Slabs {
-            axes: [0, 1, 2].map(slab),
-            t_min: f32x8::splat(space.t_min()),
+            axes: [
+                Slab::splat(simd, [o_min.x, o_max.x], [d_min.x, d_max.x], slack),
+                Slab::splat(simd, [o_min.y, o_max.y], [d_min.y, d_max.y], slack),
+                Slab::splat(simd, [o_min.z, o_max.z], [d_min.z, d_max.z], slack),
+            ],
+            t_min: space.t_min().simd_into(simd),
             dominant_axis,
         };
         Some(Self { all, slack })
     }
 }
 
-impl PacketSlabs {
+impl<S: Simd> PacketSlabs<S> {
     /// The packets of a bundle. Not inlined, because the traversal of most bundles ends before
     /// packets are culled.
     #[inline(never)]
-    pub fn new(space: &TreeSpace, bundle: &Bundle, packets: &[&RayPacket]) -> Self {
-        let eights = packets.chunks(8).map(|packets| {
-            let fours = [0, 4].map(|first| extremes_of_four(space, packets, first));
-            let slab = |axis: usize| {
-                let [origins, directions] = [0, 1].map(|i| {
-                    let [a, b] = fours.map(|four| four[i][axis]);
-                    [0, 1].map(|end| eight(a[end], b[end]))
-                });
-                let side = bundle.all.axes[axis].side;
-                let slack = f64x8::splat(bundle.slack);
-                let single = |numbers: f64x8| f32x8::new(numbers.to_array().map(|x| x as f32));
-                Slab::new(side, origins, directions, slack, single)
-            };
-            Slabs {
-                axes: [0, 1, 2].map(slab),
-                ..bundle.all
-            }
-        });
-        Self(eights.collect())
+    pub fn new(space: &TreeSpace, bundle: &Bundle<S>, packets: &[&RayPacket<S>]) -> Self {
+        bundle.all.t_min.simd.vectorize(
+            #[inline(always)]
+            || {
+                let mut eights = ArrayVec::new();
+                for packets in packets.chunks(8) {
+                    eights.push(Slabs {
+                        axes: [
+                            slab_of_eight(space, bundle, packets, 0),
+                            slab_of_eight(space, bundle, packets, 1),
+                            slab_of_eight(space, bundle, packets, 2),
+                        ],
+                        ..bundle.all
+                    });
+                }
+                Self(eights)
+            },
+        )
     }
 
     /// A bit for each packet whose rays may meet a box before its `t_max`.
-    #[inline]
-    pub fn intersect(&self, planes: &[[f32x8; 2]; 3], t_max: &[f32; PACKETS]) -> u32 {
-        let eights = self.0.iter().zip(t_max.as_chunks().0);
-        (0..).zip(eights).fold(0, |hit, (i, (eight, t_max))| {
-            let (_, hit_by) = eight.intersect(planes, f32x8::new(*t_max));
-            hit | hit_by << (8 * i)
-        })
+    #[inline(always)]
+    pub fn intersect(&self, planes: &[[f32; 2]; 3], t_max: &[f32; PACKETS]) -> u32 {
+        let mut hit = 0;
+        for (i, (eight, t_max)) in self.0.iter().zip(t_max.as_chunks().0).enumerate() {
+            let (_, hit_by) = eight.intersect(planes, *t_max);
+            hit |= hit_by << (8 * i);
+        }
+        hit
     }
 }
 
-/// The least and the greatest coordinates along each axis, in each lane, of the origins of a
-/// packet's rays, in the space of the tree, and of their directions. Four packets from `first` on;
-/// the last one repeats.
-#[inline]
-fn extremes_of_four(
+/// The rays of eight packets along one axis, one packet in each lane.
+#[inline(always)]
+fn slab_of_eight<S: Simd>(
     space: &TreeSpace,
-    packets: &[&RayPacket],
+    bundle: &Bundle<S>,
+    packets: &[&RayPacket<S>],
+    axis: usize,
+) -> Slab<S, 2> {
+    let (centre, scale, slack) = (space.centre[axis], space.scale, bundle.slack);
+    let min = |o: Lanes<S>| (o - centre) * scale - slack;
+    let max = |o: Lanes<S>| (o - centre) * scale + slack;
+    let [o, d] = ends_of_four(packets, 0, axis);
+    let [p, e] = ends_of_four(packets, 4, axis);
+    Slab::new(
+        bundle.all.axes[axis].side,
+        [min(o[0]).narrow(min(p[0])), max(o[1]).narrow(max(p[1]))],
+        [d[0].narrow(e[0]), d[1].narrow(e[1])],
+    )
+}
+
+/// Along one axis, the least and the greatest coordinates of the origins and of the directions of four
+/// packets from `first` on, one packet in each lane. The last packet repeats.
+#[inline(always)]
+fn ends_of_four<S: Simd>(
+    packets: &[&RayPacket<S>],
     first: usize,
-) -> [[[Lanes; 2]; 3]; 2] {
-    let four = [0, 1, 2, 3].map(|i| packets[(first + i).min(packets.len() - 1)]);
-    let origins = extremes_by_packet(&four.map(|rays| rays.origin));
-    let in_space = |axis: usize| {
-        let centre = Lanes::splat(space.centre[axis]);
-        origins[axis].map(|o| (o - centre) * Lanes::splat(space.scale))
-    };
+    axis: usize,
+) -> [[Lanes<S>; 2]; 2] {
+    let packet = |i: usize| packets[(first + i).min(packets.len() - 1)];
+    let origins = |i| packet(i).origin.axes()[axis];
+    let directions = |i| packet(i).direction.axes()[axis];
     [
-        [0, 1, 2].map(in_space),
-        extremes_by_packet(&four.map(|rays| rays.direction)),
+        ends([origins(0), origins(1), origins(2), origins(3)]),
+        ends([directions(0), directions(1), directions(2), directions(3)]),
     ]
+}
+
+/// The least and the greatest of the four lanes of each of four numbers.
+#[inline(always)]
+fn ends<S: Simd>(lanes: [Lanes<S>; 4]) -> [Lanes<S>; 2] {
+    let lanes = transposed(lanes);
+    [least_of(lanes), greatest_of(lanes)]
 }
 
 /// The least and the greatest coordinates of all origins and of all directions; none if one of
@@ -124,20 +148,19 @@ fn extremes_of_four(
 ///
 /// Of a NaN and a number, `min` and `max` take either, and would lose all that came before a NaN.
 /// A sum is finite only if all its terms are.
-#[inline]
-fn extremes_of_all(packets: &[&RayPacket]) -> Option<([DVec3; 2], [DVec3; 2])> {
+#[inline(always)]
+fn extremes_of_all<S: Simd>(packets: &[&RayPacket<S>]) -> Option<([DVec3; 2], [DVec3; 2])> {
     let (mut origins, mut directions) = ([packets[0].origin; 2], [packets[0].direction; 2]);
-    let mut sum = Vector3x4::splat(DVec3::ZERO);
+    let mut sum = Vector3x4::splat(packets[0].simd(), DVec3::ZERO);
     for rays in packets {
-        let add = |[least, greatest]: &mut [Vector3x4; 2], vectors: Vector3x4| {
-            *least = least.min(vectors);
-            *greatest = greatest.max(vectors);
-        };
-        add(&mut origins, rays.origin);
-        add(&mut directions, rays.direction);
+        origins = [origins[0].min(rays.origin), origins[1].max(rays.origin)];
+        directions = [
+            directions[0].min(rays.direction),
+            directions[1].max(rays.direction),
+        ];
         sum = sum + (rays.origin + rays.direction);
     }
-    let is_finite = (sum.x + sum.y + sum.z).is_finite().all();
+    let is_finite = (sum.x + sum.y + sum.z).is_finite().all_true();
     is_finite.then(|| (extremes(origins), extremes(directions)))
 }
 
@@ -164,41 +187,24 @@ fn dominant_axis([a, b]: [DVec3; 2]) -> Option<usize> {
 }
 
 /// The least coordinates of the first four vectors, and the greatest of the others.
-#[inline]
-fn extremes([least, greatest]: [Vector3x4; 2]) -> [DVec3; 2] {
-    let lanes = |Vector3x4 { x, y, z }: Vector3x4| Lanes::transpose([x, y, z, z]);
-    [least_of(lanes(least)), greatest_of(lanes(greatest))].map(|ends| {
-        let [x, y, z, _] = ends.to_array();
-        DVec3::new(x, y, z)
-    })
+#[inline(always)]
+fn extremes<S: Simd>([least, greatest]: [Vector3x4<S>; 2]) -> [DVec3; 2] {
+    let least = least_of(transposed([least.x, least.y, least.z, least.z]));
+    let greatest = greatest_of(transposed([greatest.x, greatest.y, greatest.z, greatest.z]));
+    [
+        DVec3::new(least[0], least[1], least[2]),
+        DVec3::new(greatest[0], greatest[1], greatest[2]),
+    ]
 }
 
-/// The least and the greatest coordinates along each axis in each of four times four vectors, lane
-/// by lane.
-#[inline]
-fn extremes_by_packet(vectors: &[Vector3x4; 4]) -> [[Lanes; 2]; 3] {
-    let along = |axis: fn(&Vector3x4) -> Lanes| {
-        let lanes = Lanes::transpose(vectors.each_ref().map(axis));
-        [least_of(lanes), greatest_of(lanes)]
-    };
-    [along(|v| v.x), along(|v| v.y), along(|v| v.z)]
+#[inline(always)]
+fn least_of<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> Lanes<S> {
+    a.min(b).min(c.min(d))
 }
 
-#[inline]
-fn least_of([a, b, c, d]: [Lanes; 4]) -> Lanes {
-    a.fast_min(b).fast_min(c.fast_min(d))
-}
-
-#[inline]
-fn greatest_of([a, b, c, d]: [Lanes; 4]) -> Lanes {
-    a.fast_max(b).fast_max(c.fast_max(d))
-}
-
-/// Twice four numbers side by side.
-#[inline]
-fn eight(a: Lanes, b: Lanes) -> f64x8 {
-    let ([a, b, c, d], [e, f, g, h]) = (a.to_array(), b.to_array());
-    f64x8::new([a, b, c, d, e, f, g, h])
+#[inline(always)]
+fn greatest_of<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> Lanes<S> {
+    a.max(b).max(c.max(d))
 }
 
 #[cfg(test)]

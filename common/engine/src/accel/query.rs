@@ -1,22 +1,28 @@
 //! `Query`: four rays and the hits that they look for.
 
 use super::ids::ShapeId;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Simd};
 use crate::shape::{Primitive, Rays};
 
 /// A query for hits of four rays. It finds the same hits in any order of tests.
-pub(crate) trait Query {
+pub(crate) trait Query<S: Simd> {
     /// A result that later queries use, too.
     type Shared;
 
     /// The rays.
-    fn rays(&self) -> &Rays;
+    fn rays(&self) -> &Rays<S>;
+
+    /// The instructions for its lanes.
+    #[inline(always)]
+    fn simd(&self) -> S {
+        self.rays().packet.simd()
+    }
 
     /// A bit for each ray that still looks for hits.
     fn active(&self) -> u32;
 
     /// The `t` before which hits count.
-    fn t_max(&self) -> &Lanes;
+    fn t_max(&self) -> &Lanes<S>;
 
     /// A shape that is likely to end the query, to be tested first.
     fn guess(_: &Self::Shared) -> Option<ShapeId> {
@@ -27,7 +33,7 @@ pub(crate) trait Query {
     /// NaN without a hit.
     fn update<P: Primitive>(
         &mut self,
-        t: Lanes,
+        t: Lanes<S>,
         order: u32,
         shape: ShapeId,
         primitive: impl FnOnce() -> P,

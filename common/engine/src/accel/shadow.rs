@@ -1,8 +1,10 @@
 //! `ShadowQuery`: a query for shapes between four points and a source of light.
 
+use fearless_simd::prelude::*;
+
 use super::ids::ShapeId;
 use super::query::Query;
-use crate::lanes::{Lanes, PacketHit, RayPacket, is_set};
+use crate::lanes::{Lanes, PacketHit, RayPacket, bits_of, is_set, lanes};
 use crate::shape::{Primitive, Rays};
 
 /// The last shape that blocked the light of a source. The next shadow rays are tested against it
@@ -10,23 +12,23 @@ use crate::shape::{Primitive, Rays};
 pub(crate) type Occluder = Option<ShapeId>;
 
 /// A query for any hits of four shadow rays.
-pub(crate) struct ShadowQuery {
-    rays: Rays,
+pub(crate) struct ShadowQuery<S: Simd> {
+    rays: Rays<S>,
     /// The distances of the light.
-    distance: Lanes,
+    distance: Lanes<S>,
     /// By as much the origins of the rays are offset.
-    offset: Lanes,
+    offset: Lanes<S>,
     /// A bit for each ray that has not hit anything yet.
     pub unoccluded: u32,
     /// Whether a ray that has hit anything looks for no more.
     ends_at_first: bool,
 }
 
-impl ShadowQuery {
+impl<S: Simd> ShadowQuery<S> {
     /// A query for the active of four rays, whose origins are offset, to a light at this
     /// distance.
-    #[inline]
-    pub fn new(packet: &RayPacket, offset: Lanes, distance: Lanes, active: u32) -> Self {
+    #[inline(always)]
+    pub fn new(packet: &RayPacket<S>, offset: Lanes<S>, distance: Lanes<S>, active: u32) -> Self {
         Self {
             rays: Rays::four(packet, active),
             distance,
@@ -37,7 +39,7 @@ impl ShadowQuery {
     }
 
     /// The same query, which ends at the first hits or, to measure what that saves, never.
-    #[inline]
+    #[inline(always)]
     pub fn ending_at_first(mut self, ends_at_first: bool) -> Self {
         self.ends_at_first = ends_at_first;
         self
@@ -45,25 +47,25 @@ impl ShadowQuery {
 
     /// A bit for each of these hits before the light that blocks it. Surfaces do not that hold the
     /// light, up to the rounding errors at both ends of the ray.
-    #[inline]
-    fn blocked_by(&self, hit: &PacketHit) -> u32 {
+    #[inline(always)]
+    fn blocked_by(&self, hit: &PacketHit<S>) -> u32 {
         let rays = &self.rays.packet;
         let cosine = rays.direction.dot(hit.geometric_normal).abs();
         let beyond_the_surface = (self.distance - hit.t) * cosine;
         let rounding = self.offset + hit.rounding_error(rays);
-        !beyond_the_surface.simd_le(rounding).to_bitmask()
+        !bits_of(beyond_the_surface.simd_le(rounding))
     }
 }
 
-impl Query for ShadowQuery {
+impl<S: Simd> Query<S> for ShadowQuery<S> {
     type Shared = Occluder;
 
-    #[inline]
-    fn rays(&self) -> &Rays {
+    #[inline(always)]
+    fn rays(&self) -> &Rays<S> {
         &self.rays
     }
 
-    #[inline]
+    #[inline(always)]
     fn active(&self) -> u32 {
         if self.ends_at_first {
             self.unoccluded
@@ -72,31 +74,31 @@ impl Query for ShadowQuery {
         }
     }
 
-    #[inline]
-    fn t_max(&self) -> &Lanes {
+    #[inline(always)]
+    fn t_max(&self) -> &Lanes<S> {
         &self.distance
     }
 
-    #[inline]
+    #[inline(always)]
     fn guess(occluder: &Occluder) -> Option<ShapeId> {
         *occluder
     }
 
-    #[inline]
+    #[inline(always)]
     fn update<P: Primitive>(
         &mut self,
-        t: Lanes,
+        t: Lanes<S>,
         _: u32,
         shape: ShapeId,
         primitive: impl FnOnce() -> P,
         occluder: &mut Occluder,
     ) {
-        let hit = t.simd_lt(self.distance).to_bitmask() & self.unoccluded;
+        let hit = bits_of(t.simd_lt(self.distance)) & self.unoccluded;
         if hit == 0 {
             return;
         }
-        let far_from_the_light = t.simd_lt(self.distance * Lanes::splat(15.0 / 16.0));
-        let mut blocked = hit & far_from_the_light.to_bitmask();
+        let far_from_the_light = t.simd_lt(self.distance * (15.0 / 16.0));
+        let mut blocked = hit & bits_of(far_from_the_light);
         let near_the_light = hit & !blocked;
         if near_the_light != 0 {
             let primitive = primitive();
@@ -105,7 +107,7 @@ impl Query for ShadowQuery {
             let held = hit & !blocked;
             if held != 0 {
                 // Other parts of the shape may lie behind the one that holds the light.
-                let counts = |hit: &PacketHit| self.blocked_by(hit);
+                let counts = |hit: &PacketHit<S>| self.blocked_by(hit);
                 blocked |= primitive.any_hit_of_parts(&self.rays, self.distance, held, &counts);
             }
         }
@@ -115,7 +117,7 @@ impl Query for ShadowQuery {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn update_ray<P: Primitive>(
         &mut self,
         lane: usize,
@@ -128,7 +130,8 @@ impl Query for ShadowQuery {
         if is_set(self.unoccluded, lane) {
             let mut of_lane = [f64::NAN; 4];
             of_lane[lane] = t;
-            self.update(Lanes::new(of_lane), order, shape, primitive, occluder);
+            let t = lanes(self.distance.simd, of_lane);
+            self.update(t, order, shape, primitive, occluder);
         }
     }
 }

@@ -1,10 +1,11 @@
 //! `ShapeList`: the shapes of one kind, and the tests of a leaf of them.
 
 use common::steps::{self, StepKind};
+use fearless_simd::prelude::*;
 
 use super::ids::Leaf;
 use super::query::Query;
-use crate::lanes::{Lanes, bits};
+use crate::lanes::{bits, bits_of, splat};
 use crate::shape::{List, Primitive, Rays};
 
 /// Position of a shape in the list of the scene, which breaks ties, and the index of its
@@ -47,68 +48,80 @@ impl<L: List> ShapeList<L> {
     }
 
     /// The shapes of a leaf side by side; the last one repeats in a leaf of fewer than four.
-    #[inline]
-    fn four(&self, leaf: Leaf) -> <L::Shape<'_> as Primitive>::Four {
+    #[inline(always)]
+    fn four<S: Simd>(&self, simd: S, leaf: Leaf) -> <L::Shape<'_> as Primitive>::Four<S> {
         let first = leaf.first as usize;
         let last = first + usize::from(leaf.count) - 1;
         let [b, c, d] = [1, 2, 3].map(|lane| (first + lane).min(last));
-        self.shapes.four([first, b, c, d])
+        self.shapes.four(simd, [first, b, c, d])
     }
 
     /// Tests the shapes of a leaf, side by side, against one ray, which is that of a lane of the
     /// query.
     #[inline(never)]
-    pub(super) fn test_ray<Q: Query>(
+    pub(super) fn test_ray<S: Simd, Q: Query<S>>(
         &self,
         leaf: Leaf,
-        ray: &Rays,
+        ray: &Rays<S>,
         query: &mut Q,
         lane: usize,
         shared: &mut Q::Shared,
     ) {
-        steps::count(StepKind::Test, leaf.count.into());
-        let active = (1 << leaf.count) - 1;
-        let t_max = Lanes::splat(query.t_max().as_array()[lane]);
-        let shapes = self.four(leaf);
-        let t = <L::Shape<'_> as Primitive>::intersect_before(&shapes, ray, active, t_max);
-        let near = t.simd_le(t_max).to_bitmask() & active;
-        if near == 0 {
-            return;
-        }
-        let t = t.to_array();
-        for i in bits(near) {
-            let shape = leaf.shape(i as u32);
-            let index = shape.index as usize;
-            let order = self.attributes[index].order;
-            let primitive = || self.shapes.get(index);
-            query.update_ray(lane, t[i], order, shape, primitive, shared);
-        }
+        let simd = ray.packet.simd();
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                steps::count(StepKind::Test, leaf.count.into());
+                let active = (1 << leaf.count) - 1;
+                let t_max = splat(simd, query.t_max()[lane]);
+                let shapes = self.four(simd, leaf);
+                let t = <L::Shape<'_> as Primitive>::intersect_before(&shapes, ray, active, t_max);
+                let near = bits_of(t.simd_le(t_max)) & active;
+                if near == 0 {
+                    return;
+                }
+                for i in bits(near) {
+                    let shape = leaf.shape(i as u32);
+                    let index = shape.index as usize;
+                    let order = self.attributes[index].order;
+                    let primitive = || self.shapes.get(index);
+                    query.update_ray(lane, t[i], order, shape, primitive, shared);
+                }
+            },
+        );
     }
 
     /// Tests the shapes of a leaf, one after the other, against the packets of these queries, a bit
     /// for each.
     #[inline(never)]
-    pub(super) fn test_packets<Q: Query>(
+    pub(super) fn test_packets<S: Simd, Q: Query<S>>(
         &self,
         leaf: Leaf,
         queries: &mut [Q],
         tested: u32,
         shared: &mut Q::Shared,
     ) {
-        for i in 0..u32::from(leaf.count) {
-            let index = (leaf.first + i) as usize;
-            let (shape, order) = (self.shapes.splat(index), self.attributes[index].order);
-            for query in bits(tested) {
-                let query = &mut queries[query];
-                let active = query.active();
-                if active != 0 {
-                    steps::count(StepKind::Test, active.count_ones().into());
-                    let (rays, t_max) = (query.rays(), *query.t_max());
-                    let t = <L::Shape<'_>>::intersect_before(&shape, rays, active, t_max);
-                    let primitive = || self.shapes.get(index);
-                    query.update(t, order, leaf.shape(i), primitive, shared);
+        let simd = queries[0].simd();
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                for i in 0..u32::from(leaf.count) {
+                    let index = (leaf.first + i) as usize;
+                    let (shape, order) =
+                        (self.shapes.splat(simd, index), self.attributes[index].order);
+                    for query in bits(tested) {
+                        let query = &mut queries[query];
+                        let active = query.active();
+                        if active != 0 {
+                            steps::count(StepKind::Test, active.count_ones().into());
+                            let (rays, t_max) = (query.rays(), *query.t_max());
+                            let t = <L::Shape<'_>>::intersect_before(&shape, rays, active, t_max);
+                            let primitive = || self.shapes.get(index);
+                            query.update(t, order, leaf.shape(i), primitive, shared);
+                        }
+                    }
                 }
-            }
-        }
+            },
+        );
     }
 }

@@ -5,10 +5,9 @@
 //! once: with the extreme origins and directions, no ray enters earlier or leaves later. (Boulos,
 //! Wald and Shirley, Geometric and Arithmetic Culling Methods for Entire Ray Packets, 2006.)
 
-use std::ops::{Add, Sub};
-
+use fearless_simd::f32x8;
+use fearless_simd::prelude::*;
 use glam::DVec3;
-use wide::f32x8;
 
 use super::tree_space::{SLACK, TreeSpace};
 use crate::Ray;
@@ -19,10 +18,10 @@ pub(super) const WIDTH: usize = 8;
 /// Rays, prepared for the slab test of eight boxes, with `N` extremes of their directions in
 /// each lane.
 #[derive(Debug)]
-pub(super) struct Slabs<const N: usize> {
-    pub axes: [Slab<N>; 3],
+pub(super) struct Slabs<S: Simd, const N: usize> {
+    pub axes: [Slab<S, N>; 3],
     /// The least `t` at which hits count.
-    pub t_min: f32x8,
+    pub t_min: f32x8<S>,
     /// The dominant axis, along which all rays go farthest. None if all hits lie within the
     /// bounds of their shapes.
     pub dominant_axis: Option<usize>,
@@ -30,12 +29,12 @@ pub(super) struct Slabs<const N: usize> {
 
 /// One axis of rays for the slab test.
 #[derive(Debug)]
-pub(super) struct Slab<const N: usize> {
+pub(super) struct Slab<S: Simd, const N: usize> {
     /// Which plane of a slab all rays meet first.
     pub side: Side,
-    near: f32x8,
-    far: f32x8,
-    inverses: [f32x8; N],
+    near: f32x8<S>,
+    far: f32x8<S>,
+    inverses: [f32x8<S>; N],
 }
 
 /// The plane of a slab that rays meet first.
@@ -62,26 +61,27 @@ impl Side {
     }
 }
 
-impl Slabs<1> {
+impl<S: Simd> Slabs<S, 1> {
     /// A ray. None if it starts too far away, if a coordinate is no number, or if its direction is
     /// far from length 1.
-    #[inline]
-    pub fn of_ray(space: &TreeSpace, ray: &Ray) -> Option<Self> {
+    #[inline(always)]
+    pub fn of_ray(simd: S, space: &TreeSpace, ray: &Ray) -> Option<Self> {
         let d = ray.direction;
         let o = (ray.origin - space.centre) * space.scale;
         let largest = o.abs().max_element().max(1.0);
         let is_within = o.is_finite() && largest <= 1e30 && has_length_1(d);
-        is_within.then(|| {
-            let slack = slack(largest);
-            let slab = |axis: usize| {
-                let splat = |x: f64| f32x8::splat(x as f32);
-                Slab::new(Side::of(d[axis]), [o[axis]; 2], [d[axis]], slack, splat)
-            };
-            Self {
-                axes: [0, 1, 2].map(slab),
-                t_min: f32x8::splat(space.t_min()),
-                dominant_axis: (!space.is_exact).then(|| d.abs().max_position()),
-            }
+        if !is_within {
+            return None;
+        }
+        let slack = slack(largest);
+        Some(Self {
+            axes: [
+                Slab::splat(simd, [o.x; 2], [d.x], slack),
+                Slab::splat(simd, [o.y; 2], [d.y], slack),
+                Slab::splat(simd, [o.z; 2], [d.z], slack),
+            ],
+            t_min: space.t_min().simd_into(simd),
+            dominant_axis: (!space.is_exact).then(|| d.abs().max_position()),
         })
     }
 }
@@ -96,71 +96,84 @@ fn has_length_1(d: DVec3) -> bool {
     (0.5..2.0).contains(&d.length_squared())
 }
 
-impl<const N: usize> Slab<N> {
-    /// From the side of all rays and the extremes of their origins and directions, in ascending
-    /// order, which `rounded` turns into lanes.
+impl<S: Simd, const N: usize> Slab<S, N> {
+    /// From the extremes of the origins, widened by the slack, and of the directions of rays that all
+    /// go the same way, both in ascending order.
     ///
     /// Which way the rays go is said by the side alone. Of the directions only the magnitudes
     /// count, because a 0 among them may have the sign of the other way, and so has its inverse.
-    #[inline]
-    pub fn new<T>(
-        side: Side,
-        [min, max]: [T; 2],
-        directions: [T; N],
-        slack: T,
-        rounded: impl Fn(T) -> f32x8,
-    ) -> Self
-    where
-        T: Copy + Add<Output = T> + Sub<Output = T>,
-    {
-        // Rays parallel to the slab get a huge finite inverse, which avoids 0 * infinity.
-        let huge = f32x8::splat(1e30);
-        let inverses = directions.map(|d| (f32x8::ONE / rounded(d).abs()).fast_min(huge));
-        let (near, far, inverses) = match side {
-            Side::Lower => (max + slack, min - slack, inverses),
-            Side::Upper => (min - slack, max + slack, inverses.map(|inverse| -inverse)),
+    #[inline(always)]
+    pub fn new(side: Side, [min, max]: [f32x8<S>; 2], directions: [f32x8<S>; N]) -> Self {
+        let mut inverses = directions;
+        for inverse in &mut inverses {
+            // Rays parallel to the slab get a huge finite inverse, which avoids 0 * infinity.
+            *inverse = (1.0 / inverse.abs()).min(1e30);
+            if side == Side::Upper {
+                *inverse = -*inverse;
+            }
+        }
+        let (near, far) = match side {
+            Side::Lower => (max, min),
+            Side::Upper => (min, max),
         };
         Self {
             side,
-            near: rounded(near),
-            far: rounded(far),
+            near,
+            far,
             inverses,
         }
     }
 
+    /// The same, from numbers that all lanes share; `slack` widens the origins.
+    #[inline(always)]
+    pub fn splat(simd: S, [min, max]: [f64; 2], directions: [f64; N], slack: f64) -> Self {
+        let mut singles = [f32x8::splat(simd, 0.0); N];
+        for (single, direction) in singles.iter_mut().zip(directions) {
+            *single = f32x8::splat(simd, direction as f32);
+        }
+        let min = f32x8::splat(simd, (min - slack) as f32);
+        let max = f32x8::splat(simd, (max + slack) as f32);
+        Self::new(Side::of(directions[0]), [min, max], singles)
+    }
+
     /// The `t` at which the first ray enters eight slabs, and the last one leaves them.
-    #[inline]
-    fn intersect(&self, planes: &[f32x8; 2]) -> (f32x8, f32x8) {
-        let [lower, upper] = planes;
+    #[inline(always)]
+    fn intersect(&self, planes: &[impl SimdInto<f32x8<S>, S> + Copy; 2]) -> (f32x8<S>, f32x8<S>) {
+        let simd = self.near.simd;
+        let [lower, upper] = *planes;
         let (first_plane, last_plane) = match self.side {
             Side::Lower => (lower, upper),
             Side::Upper => (upper, lower),
         };
-        let near = *first_plane - self.near;
-        let far = *last_plane - self.far;
+        let near = first_plane.simd_into(simd) - self.near;
+        let far = last_plane.simd_into(simd) - self.far;
         let (mut first, mut last) = (near * self.inverses[0], far * self.inverses[0]);
         for inverse in &self.inverses[1..] {
-            first = first.fast_min(near * *inverse);
-            last = last.fast_max(far * *inverse);
+            first = first.min(near * *inverse);
+            last = last.max(far * *inverse);
         }
         (first, last)
     }
 }
 
-impl<const N: usize> Slabs<N> {
+impl<S: Simd, const N: usize> Slabs<S, N> {
     /// The `t`, at least 0, before which no ray hits shapes in the boxes, and a bit for each box
-    /// that a ray may meet before `t_max`.
+    /// that a ray may meet before `t_max`. All lanes have planes and a `t_max` of their own, or share one.
     ///
     /// A ray in the plane of a triangle may hit it outside of its bounds, if it passes
     /// through them: rounding alone weighs the depths of the corners, which the formula
     /// measures along the dominant axis. So the hit lies between the bounds along this axis,
     /// whereas the other two only say whether the ray passes through them.
-    #[inline]
-    pub fn intersect(&self, [x, y, z]: &[[f32x8; 2]; 3], t_max: f32x8) -> ([f32; WIDTH], u32) {
+    #[inline(always)]
+    pub fn intersect(
+        &self,
+        [x, y, z]: &[[impl SimdInto<f32x8<S>, S> + Copy; 2]; 3],
+        t_max: impl SimdInto<f32x8<S>, S>,
+    ) -> ([f32; WIDTH], u32) {
         let [sx, sy, sz] = &self.axes;
         let (x, y, z) = (sx.intersect(x), sy.intersect(y), sz.intersect(z));
-        let near = x.0.fast_max(y.0).fast_max(z.0);
-        let far = x.1.fast_min(y.1).fast_min(z.1);
+        let near = x.0.max(y.0).max(z.0);
+        let far = x.1.min(y.1).min(z.1);
         let (first, last) = match self.dominant_axis {
             None => (near, far),
             Some(0) => x,
@@ -169,8 +182,8 @@ impl<const N: usize> Slabs<N> {
         };
         let is_within = first.simd_le(t_max) & last.simd_ge(self.t_min);
         (
-            first.fast_max(f32x8::ZERO).to_array(),
-            (near.simd_le(far) & is_within).to_bitmask(),
+            *first.max(0.0),
+            (near.simd_le(far) & is_within).to_bitmask() as u32,
         )
     }
 }

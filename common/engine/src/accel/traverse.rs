@@ -9,8 +9,9 @@ use std::ops::ControlFlow;
 use std::slice;
 
 use arrayvec::ArrayVec;
+use fearless_simd::f32x8;
+use fearless_simd::prelude::*;
 use glam::DVec3;
-use wide::f32x8;
 
 use super::Accelerator;
 use super::bvh::Bvh;
@@ -20,7 +21,7 @@ use super::query::Query;
 use super::shapes::with_list;
 use super::slabs::Slabs;
 use crate::Ray;
-use crate::lanes::{Lanes, RayPacket, bits, is_set, mask, select};
+use crate::lanes::{RayPacket, bits, is_set, mask, splat};
 use crate::shape::Rays;
 
 /// The rays of a bundle stay within this many mean widths of a leaf.
@@ -35,7 +36,8 @@ const LINEAR_SCAN_PACKETS: usize = 4;
 
 impl Accelerator<'_> {
     /// Carries out these queries, at most [`PACKETS`].
-    pub fn traverse<Q: Query>(&self, queries: &mut [Q], shared: &mut Q::Shared) {
+    #[inline(always)]
+    pub fn traverse<S: Simd, Q: Query<S>>(&self, queries: &mut [Q], shared: &mut Q::Shared) {
         for query in &mut *queries {
             if let Some(shape) = Q::guess(shared) {
                 self.test_all(&[Leaf::of(shape)], slice::from_mut(query), shared);
@@ -44,32 +46,43 @@ impl Accelerator<'_> {
         self.traverse_after_guess(queries, shared);
     }
 
-    fn traverse_after_guess<Q: Query>(&self, queries: &mut [Q], shared: &mut Q::Shared) {
-        if queries.iter().all(|query| query.active() == 0) {
+    fn traverse_after_guess<S: Simd, Q: Query<S>>(
+        &self,
+        queries: &mut [Q],
+        shared: &mut Q::Shared,
+    ) {
+        let Some(first) = queries.iter().find(|query| query.active() != 0) else {
             return;
-        }
-        if queries.len() <= LINEAR_SCAN_PACKETS && !self.linear_scan.is_empty() {
-            return self.test_all(&self.linear_scan, queries, shared);
-        }
-        let Some(tree) = &self.tree else {
-            return self.test_all(&self.unbounded, queries, shared);
         };
-        let width = BUNDLE_WIDTH * tree.leaf_width;
-        let bundle = packets(queries).and_then(|rays| Bundle::new(&tree.space, &rays, width));
-        if let Some(bundle) = bundle {
-            self.test_all(&self.unbounded, queries, shared);
-            self.traverse_packets(tree, &bundle, queries, shared);
-        } else if let [query] = queries {
-            self.traverse_ray_by_ray(tree, query, shared);
-        } else {
-            let (some, others) = queries.split_at_mut(queries.len() / 2);
-            self.traverse_after_guess(some, shared);
-            self.traverse_after_guess(others, shared);
-        }
+        first.simd().vectorize(
+            #[inline(always)]
+            || {
+                if queries.len() <= LINEAR_SCAN_PACKETS && !self.linear_scan.is_empty() {
+                    return self.test_all(&self.linear_scan, queries, shared);
+                }
+                let Some(tree) = &self.tree else {
+                    return self.test_all(&self.unbounded, queries, shared);
+                };
+                let width = BUNDLE_WIDTH * tree.leaf_width;
+                let bundle =
+                    packets(queries).and_then(|rays| Bundle::new(&tree.space, &rays, width));
+                if let Some(bundle) = bundle {
+                    self.test_all(&self.unbounded, queries, shared);
+                    self.traverse_packets(tree, &bundle, queries, shared);
+                } else if let [query] = queries {
+                    self.traverse_ray_by_ray(tree, query, shared);
+                } else {
+                    let (some, others) = queries.split_at_mut(queries.len() / 2);
+                    self.traverse_after_guess(some, shared);
+                    self.traverse_after_guess(others, shared);
+                }
+            },
+        );
     }
 
     /// Carries out a query whose rays may have directions of any length.
-    pub fn traverse_rays<Q: Query>(&self, query: &mut Q, shared: &mut Q::Shared) {
+    #[inline(always)]
+    pub fn traverse_rays<S: Simd, Q: Query<S>>(&self, query: &mut Q, shared: &mut Q::Shared) {
         match &self.tree {
             _ if query.active() == 0 => (),
             _ if !self.linear_scan.is_empty() => {
@@ -80,7 +93,13 @@ impl Accelerator<'_> {
         }
     }
 
-    fn traverse_ray_by_ray<Q: Query>(&self, tree: &Bvh, query: &mut Q, shared: &mut Q::Shared) {
+    #[inline(always)]
+    fn traverse_ray_by_ray<S: Simd, Q: Query<S>>(
+        &self,
+        tree: &Bvh,
+        query: &mut Q,
+        shared: &mut Q::Shared,
+    ) {
         self.test_all(&self.unbounded, slice::from_mut(query), shared);
         let rays = query.rays().packet.to_rays();
         for lane in bits(query.active()) {
@@ -89,32 +108,34 @@ impl Accelerator<'_> {
     }
 
     /// Carries out the queries of a bundle.
-    fn traverse_packets<Q: Query>(
+    #[inline(always)]
+    fn traverse_packets<S: Simd, Q: Query<S>>(
         &self,
         tree: &Bvh,
-        bundle: &Bundle,
+        bundle: &Bundle<S>,
         queries: &mut [Q],
         shared: &mut Q::Shared,
     ) {
+        let simd = bundle.all.t_min.simd;
         let mut t_max = [f32::NEG_INFINITY; PACKETS];
         for (t_max, query) in t_max.iter_mut().zip(&*queries) {
             *t_max = tree.space.t_max(greatest_t(query));
         }
         let all = (1 << queries.len()) - 1;
         let (mut leaves, mut culling) = (0, None);
-        let _ = tree.traverse(&bundle.all, greatest(&t_max), |leaf, node, child| {
+        let _ = tree.traverse(&bundle.all, greatest(simd, &t_max), |leaf, node, child| {
             if leaves == CULL_PACKETS_AFTER && queries.len() > 1 {
                 culling = packets(queries).map(|rays| PacketSlabs::new(&tree.space, bundle, &rays));
             }
             leaves += 1;
-            let candidates = culling.as_ref().map_or(all, |packets: &PacketSlabs| {
+            let candidates = culling.as_ref().map_or(all, |packets: &PacketSlabs<S>| {
                 packets.intersect(&node.planes_of(child), &t_max)
             });
             self.test(leaf, queries, candidates, shared);
             for i in bits(candidates) {
                 t_max[i] = tree.space.t_max(greatest_t(&queries[i]));
             }
-            let t_max = greatest(&t_max);
+            let t_max = greatest(simd, &t_max);
             if t_max < 0.0 {
                 return ControlFlow::Break(());
             }
@@ -125,7 +146,7 @@ impl Accelerator<'_> {
     /// Carries out the query of one ray, which is that of a lane. Visits all leaves if the ray does
     /// not fit into the space of the tree, where its direction has the length 1.
     #[inline(never)]
-    fn traverse_ray<Q: Query>(
+    fn traverse_ray<S: Simd, Q: Query<S>>(
         &self,
         tree: &Bvh,
         ray: &Ray,
@@ -133,38 +154,56 @@ impl Accelerator<'_> {
         lane: usize,
         shared: &mut Q::Shared,
     ) {
-        let rays = Rays::one(ray);
-        let length = length_unless_1(ray.direction);
-        let in_tree = Ray {
-            direction: ray.direction / length,
-            ..*ray
-        };
-        let t_max = |query: &Q| tree.space.t_max(query.t_max().as_array()[lane] * length);
-        let first_t_max = t_max(query);
-        let mut visit = |leaf: Leaf| {
-            with_list!(self.shapes, leaf.kind, |list| list
-                .test_ray(leaf, &rays, query, lane, shared));
-            if !is_set(query.active(), lane) {
-                return ControlFlow::Break(());
-            }
-            ControlFlow::Continue(t_max(query))
-        };
-        let _ = match Slabs::of_ray(&tree.space, &in_tree) {
-            Some(slabs) => tree.traverse(&slabs, first_t_max, |leaf, _, _| visit(leaf)),
-            None => tree.visit_all(visit),
-        };
+        let simd = query.simd();
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let rays = Rays::one(simd, ray);
+                let length = length_unless_1(ray.direction);
+                let in_tree = Ray {
+                    direction: ray.direction / length,
+                    ..*ray
+                };
+                let t_max = |query: &Q| tree.space.t_max(query.t_max()[lane] * length);
+                let first_t_max = t_max(query);
+                let mut visit = |leaf: Leaf| {
+                    with_list!(self.shapes, leaf.kind, |list| list
+                        .test_ray(leaf, &rays, query, lane, shared));
+                    if !is_set(query.active(), lane) {
+                        return ControlFlow::Break(());
+                    }
+                    ControlFlow::Continue(t_max(query))
+                };
+                let _ = match Slabs::of_ray(simd, &tree.space, &in_tree) {
+                    Some(slabs) => tree.traverse(&slabs, first_t_max, |leaf, _, _| visit(leaf)),
+                    None => tree.visit_all(visit),
+                };
+            },
+        );
     }
 
     /// Tests shapes against the packets of all of these queries.
-    fn test_all<Q: Query>(&self, leaves: &[Leaf], queries: &mut [Q], shared: &mut Q::Shared) {
+    #[inline(always)]
+    fn test_all<S: Simd, Q: Query<S>>(
+        &self,
+        leaves: &[Leaf],
+        queries: &mut [Q],
+        shared: &mut Q::Shared,
+    ) {
         for leaf in leaves {
             self.test(*leaf, queries, (1 << queries.len()) - 1, shared);
         }
     }
 
     /// Tests shapes against the packets of some of these queries, a bit for each.
-    #[inline]
-    fn test<Q: Query>(&self, leaf: Leaf, queries: &mut [Q], tested: u32, shared: &mut Q::Shared) {
+    #[inline(always)]
+    fn test<S: Simd, Q: Query<S>>(
+        &self,
+        leaf: Leaf,
+        queries: &mut [Q],
+        tested: u32,
+        shared: &mut Q::Shared,
+    ) {
         if tested != 0 {
             with_list!(self.shapes, leaf.kind, |list| list
                 .test_packets(leaf, queries, tested, shared));
@@ -185,8 +224,8 @@ fn length_unless_1(direction: DVec3) -> f64 {
 
 /// The rays of these queries, if any is active. The rays of the first active one stand in for those
 /// of queries that are over, which must not keep the others apart.
-#[inline]
-fn packets<Q: Query>(queries: &[Q]) -> Option<ArrayVec<&RayPacket, PACKETS>> {
+#[inline(always)]
+fn packets<S: Simd, Q: Query<S>>(queries: &[Q]) -> Option<ArrayVec<&RayPacket<S>, PACKETS>> {
     let first = queries.iter().find(|query| query.active() != 0)?;
     let packets = queries.iter().map(|query| match query.active() {
         0 => &first.rays().packet,
@@ -197,18 +236,19 @@ fn packets<Q: Query>(queries: &[Q]) -> Option<ArrayVec<&RayPacket, PACKETS>> {
 
 /// The greatest `t` at which a hit of an active ray counts; negative if no hit counts: if none is
 /// active, or the `t` of all are NaN, because a light of a student's own has such a distance.
-#[inline]
-fn greatest_t<Q: Query>(query: &Q) -> f64 {
-    let inactive = Lanes::splat(f64::NEG_INFINITY);
-    let [a, b, c, d] = select(mask(query.active()), *query.t_max(), inactive).to_array();
+#[inline(always)]
+fn greatest_t<S: Simd, Q: Query<S>>(query: &Q) -> f64 {
+    let t_max = *query.t_max();
+    let inactive = splat(t_max.simd, f64::NEG_INFINITY);
+    let [a, b, c, d] = *mask(t_max.simd, query.active()).select(t_max, inactive);
     a.max(b).max(c.max(d)).max(f64::NEG_INFINITY)
 }
 
-#[inline]
-fn greatest(t_max: &[f32; PACKETS]) -> f32 {
+#[inline(always)]
+fn greatest<S: Simd>(simd: S, t_max: &[f32; PACKETS]) -> f32 {
     let (eights, _) = t_max.as_chunks::<8>();
-    let all = f32x8::new(eights[0]).fast_max(f32x8::new(eights[1]));
-    all.to_array()
-        .into_iter()
+    let all: f32x8<S> = eights[0].simd_into(simd);
+    let all = all.max(eights[1]);
+    all.into_iter()
         .fold(f32::NEG_INFINITY, |a, b| if a > b { a } else { b })
 }

@@ -3,71 +3,71 @@
 use std::ops::{Add, Mul};
 
 use common::Color;
+use fearless_simd::prelude::*;
 
-use super::Lanes;
+use super::{Lanes, Mask, bits_of, lanes, splat};
 
 /// Four colours, channel by channel.
 #[derive(Clone, Copy, Debug)]
-pub struct ColorPacket {
+pub struct ColorPacket<S: Simd> {
     /// Red.
-    pub r: Lanes,
+    pub r: Lanes<S>,
     /// Green.
-    pub g: Lanes,
+    pub g: Lanes<S>,
     /// Blue.
-    pub b: Lanes,
+    pub b: Lanes<S>,
 }
 
-impl ColorPacket {
+impl<S: Simd> ColorPacket<S> {
     /// The same colour four times.
-    #[inline]
-    pub fn splat(color: Color) -> Self {
+    #[inline(always)]
+    pub fn splat(simd: S, color: Color) -> Self {
         Self {
-            r: Lanes::splat(color.r),
-            g: Lanes::splat(color.g),
-            b: Lanes::splat(color.b),
+            r: splat(simd, color.r),
+            g: splat(simd, color.g),
+            b: splat(simd, color.b),
         }
     }
 
     /// These four colours.
-    #[inline]
-    pub fn new([a, b, c, d]: [Color; 4]) -> Self {
+    #[inline(always)]
+    pub fn new(simd: S, [a, b, c, d]: [Color; 4]) -> Self {
         Self {
-            r: Lanes::new([a.r, b.r, c.r, d.r]),
-            g: Lanes::new([a.g, b.g, c.g, d.g]),
-            b: Lanes::new([a.b, b.b, c.b, d.b]),
+            r: lanes(simd, [a.r, b.r, c.r, d.r]),
+            g: lanes(simd, [a.g, b.g, c.g, d.g]),
+            b: lanes(simd, [a.b, b.b, c.b, d.b]),
         }
     }
 
     /// The four colours, one by one.
-    #[inline]
+    #[inline(always)]
     pub fn to_lanes(self) -> [Color; 4] {
-        let (r, g, b) = (self.r.to_array(), self.g.to_array(), self.b.to_array());
-        let lane = |lane: usize| Color::new(r[lane], g[lane], b[lane]);
+        let lane = |lane: usize| Color::new(self.r[lane], self.g[lane], self.b[lane]);
         [lane(0), lane(1), lane(2), lane(3)]
     }
 
     /// A bit for each that is black.
-    #[inline]
+    #[inline(always)]
     pub fn are_black(self) -> u32 {
-        let is_black = |channel: Lanes| channel.simd_eq(Lanes::ZERO);
-        (is_black(self.r) & is_black(self.g) & is_black(self.b)).to_bitmask()
+        bits_of(self.r.simd_eq(0.0) & self.g.simd_eq(0.0) & self.b.simd_eq(0.0))
     }
 
     /// These colours in the lanes of the mask, and black in the others.
-    #[inline]
-    pub fn masked(self, mask: Lanes) -> Self {
+    #[inline(always)]
+    pub fn masked(self, mask: Mask<S>) -> Self {
+        let black = splat(self.r.simd, 0.0);
         Self {
-            r: self.r & mask,
-            g: self.g & mask,
-            b: self.b & mask,
+            r: mask.select(self.r, black),
+            g: mask.select(self.g, black),
+            b: mask.select(self.b, black),
         }
     }
 }
 
-impl Add for ColorPacket {
+impl<S: Simd> Add for ColorPacket<S> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self {
             r: self.r + other.r,
@@ -78,10 +78,10 @@ impl Add for ColorPacket {
 }
 
 /// Light of four colours, each filtered by one of the others.
-impl Mul for ColorPacket {
+impl<S: Simd> Mul for ColorPacket<S> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self {
             r: self.r * other.r,
@@ -91,11 +91,11 @@ impl Mul for ColorPacket {
     }
 }
 
-impl Mul<Lanes> for ColorPacket {
+impl<S: Simd> Mul<Lanes<S>> for ColorPacket<S> {
     type Output = Self;
 
-    #[inline]
-    fn mul(self, factor: Lanes) -> Self {
+    #[inline(always)]
+    fn mul(self, factor: Lanes<S>) -> Self {
         Self {
             r: self.r * factor,
             g: self.g * factor,

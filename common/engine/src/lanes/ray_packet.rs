@@ -4,7 +4,9 @@
 //! together (Wald, Slusallek, Benthin and Wagner, Interactive Rendering with Coherent
 //! Ray Tracing, 2001).
 
-use super::{Lanes, Vector3x4, is_square_for_formulas, mask, select};
+use fearless_simd::prelude::*;
+
+use super::{Lanes, Mask, Vector3x4, greater, is_square_for_formulas, lanes, splat};
 use crate::vector::scaled;
 use crate::{Hit, Ray};
 
@@ -14,25 +16,31 @@ pub const OFFSET: f64 = 64.0 * f64::EPSILON;
 
 /// Four rays.
 #[derive(Clone, Copy, Debug)]
-pub struct RayPacket {
+pub struct RayPacket<S: Simd> {
     /// The origins.
-    pub origin: Vector3x4,
+    pub origin: Vector3x4<S>,
     /// The directions.
-    pub direction: Vector3x4,
+    pub direction: Vector3x4<S>,
 }
 
-impl RayPacket {
+impl<S: Simd> RayPacket<S> {
     /// These four rays.
-    #[inline]
-    pub fn new(rays: [&Ray; 4]) -> Self {
+    #[inline(always)]
+    pub fn new(simd: S, rays: [&Ray; 4]) -> Self {
         Self {
-            origin: Vector3x4::new(rays.map(|ray| ray.origin)),
-            direction: Vector3x4::new(rays.map(|ray| ray.direction)),
+            origin: Vector3x4::new(simd, rays.map(|ray| ray.origin)),
+            direction: Vector3x4::new(simd, rays.map(|ray| ray.direction)),
         }
     }
 
+    /// The instructions for these lanes.
+    #[inline(always)]
+    pub fn simd(&self) -> S {
+        self.origin.x.simd
+    }
+
     /// The four rays, one by one.
-    #[inline]
+    #[inline(always)]
     pub fn to_rays(self) -> [Ray; 4] {
         let (origins, directions) = (self.origin.to_lanes(), self.direction.to_lanes());
         [0, 1, 2, 3].map(|lane| Ray {
@@ -42,70 +50,67 @@ impl RayPacket {
     }
 
     /// These rays, where the first active one replaces those that are not active.
-    #[inline]
+    #[inline(always)]
     pub fn filled(self, active: u32) -> Self {
         if active == 0b1111 {
             return self;
         }
-        let first = active.trailing_zeros() as usize % 4;
-        let fill = |vectors: Vector3x4| {
-            vectors.or(mask(active), Vector3x4::splat(vectors.to_lanes()[first]))
-        };
         Self {
-            origin: fill(self.origin),
-            direction: fill(self.direction),
+            origin: self.origin.filled(active),
+            direction: self.direction.filled(active),
         }
     }
 
     /// These rays, where directions that are too long or too short for formulas are divided by
     /// powers of two, so that they are about as long as 1; and these powers, 1 for the others.
-    pub fn scaled(self) -> (Self, Lanes) {
+    pub fn scaled(self) -> (Self, Lanes<S>) {
+        let simd = self.simd();
         let is_plain = is_square_for_formulas(self.direction.dot(self.direction));
         let scaled = (self.direction.to_lanes()).map(|v| scaled(v).unwrap_or((v, 1.0)));
-        let direction = Vector3x4::new(scaled.map(|(direction, _)| direction));
-        let unit = Lanes::new(scaled.map(|(_, unit)| unit));
+        let direction = Vector3x4::new(simd, scaled.map(|(direction, _)| direction));
+        let unit = lanes(simd, scaled.map(|(_, unit)| unit));
         let rays = Self {
             direction: self.direction.or(is_plain, direction),
             ..self
         };
-        (rays, select(is_plain, Lanes::ONE, unit))
+        (rays, is_plain.select(splat(simd, 1.0), unit))
     }
 
     /// The points `origin + t direction`.
-    #[inline]
-    pub fn at(&self, t: Lanes) -> Vector3x4 {
+    #[inline(always)]
+    pub fn at(&self, t: Lanes<S>) -> Vector3x4<S> {
         self.origin + self.direction * t
     }
 }
 
 /// Up to four hits.
 #[derive(Clone, Copy, Debug)]
-pub struct PacketHit {
+pub struct PacketHit<S: Simd> {
     /// The `t` of the hits: above 0. NaN in lanes without a hit.
-    pub t: Lanes,
+    pub t: Lanes<S>,
     /// The shading normals.
-    pub normal: Vector3x4,
+    pub normal: Vector3x4<S>,
     /// The geometric normals.
-    pub geometric_normal: Vector3x4,
+    pub geometric_normal: Vector3x4<S>,
     /// How large the numbers of the shapes are, as lengths along the geometric normals.
-    pub scale: Lanes,
+    pub scale: Lanes<S>,
 }
 
-impl PacketHit {
+impl<S: Simd> PacketHit<S> {
     /// These four hits.
-    #[inline]
-    pub fn new(hits: [Hit; 4]) -> Self {
+    #[inline(always)]
+    pub fn new(simd: S, hits: [Hit; 4]) -> Self {
         Self {
-            t: Lanes::new(hits.map(|hit| hit.t)),
-            normal: Vector3x4::new(hits.map(|hit| hit.normal)),
-            geometric_normal: Vector3x4::new(hits.map(|hit| hit.geometric_normal)),
-            scale: Lanes::new(hits.map(|hit| hit.scale)),
+            t: lanes(simd, hits.map(|hit| hit.t)),
+            normal: Vector3x4::new(simd, hits.map(|hit| hit.normal)),
+            geometric_normal: Vector3x4::new(simd, hits.map(|hit| hit.geometric_normal)),
+            scale: lanes(simd, hits.map(|hit| hit.scale)),
         }
     }
 
     /// Hits at these `t`, of these scales, whose shading normals are the geometric ones.
-    #[inline]
-    pub const fn with_normals(t: Lanes, normal: Vector3x4, scale: Lanes) -> Self {
+    #[inline(always)]
+    pub fn with_normals(t: Lanes<S>, normal: Vector3x4<S>, scale: Lanes<S>) -> Self {
         Self {
             t,
             normal,
@@ -115,50 +120,44 @@ impl PacketHit {
     }
 
     /// The four hits, one by one.
-    #[inline]
+    #[inline(always)]
     pub fn to_hits(self) -> [Hit; 4] {
-        let t = self.t.to_array();
         let (normals, faces) = (self.normal.to_lanes(), self.geometric_normal.to_lanes());
-        let scale = self.scale.to_array();
         [0, 1, 2, 3].map(|lane| Hit {
-            t: t[lane],
+            t: self.t[lane],
             normal: normals[lane],
             geometric_normal: faces[lane],
-            scale: scale[lane],
+            scale: self.scale[lane],
         })
     }
 
     /// These hits in the lanes of the mask, and `others` in the other lanes.
-    #[inline]
-    pub fn or(self, mask: Lanes, others: Self) -> Self {
+    #[inline(always)]
+    pub fn or(self, mask: Mask<S>, others: Self) -> Self {
         Self {
-            t: select(mask, self.t, others.t),
+            t: mask.select(self.t, others.t),
             normal: self.normal.or(mask, others.normal),
             geometric_normal: self.geometric_normal.or(mask, others.geometric_normal),
-            scale: select(mask, self.scale, others.scale),
+            scale: mask.select(self.scale, others.scale),
         }
     }
 
     /// The greatest distances of the computed hits from their surfaces.
-    #[inline]
-    pub fn rounding_error(&self, rays: &RayPacket) -> Lanes {
+    #[inline(always)]
+    pub fn rounding_error(&self, rays: &RayPacket<S>) -> Lanes<S> {
         let largest = rays
             .origin
             .largest_coordinate()
-            .fast_max(rays.at(self.t).largest_coordinate())
-            .fast_max(self.t)
-            // A shape of a student's own may have the scale NaN, which the lesson drops.
-            .max(self.scale);
-        Lanes::splat(OFFSET) * largest
+            .max(rays.at(self.t).largest_coordinate())
+            .max(self.t);
+        // A shape of a student's own may have the scale NaN, which the lesson drops.
+        greater(self.scale, largest) * OFFSET
     }
 
     /// The hits with their normals turned against the directions of the rays.
-    #[inline]
-    pub fn facing(self, rays: &RayPacket) -> Self {
-        let from_behind = self
-            .geometric_normal
-            .dot(rays.direction)
-            .simd_gt(Lanes::ZERO);
+    #[inline(always)]
+    pub fn facing(self, rays: &RayPacket<S>) -> Self {
+        let from_behind = self.geometric_normal.dot(rays.direction).simd_gt(0.0);
         Self {
             normal: self.normal.negated(from_behind),
             geometric_normal: self.geometric_normal.negated(from_behind),

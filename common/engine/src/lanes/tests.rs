@@ -3,8 +3,9 @@
 
 use glam::DVec3;
 
+use super::level::baseline;
 use super::vector::is_square_of_a_length;
-use super::{Lanes, Vector3x4};
+use super::{Vector3x4, bits_of, lanes};
 use crate::vector::normalized;
 
 /// Ordinary numbers and the extremes of all kinds.
@@ -25,10 +26,10 @@ fn vectors_of_length_1_are_marked() {
     for i in 0..8 * 8 * 8 {
         let vectors = [i, i + 1, i + 2, i + 3];
         let vectors = vectors.map(|i| DVec3::new(number(i), number(i / 8), number(i / 64)));
-        let (units, are_units) = Vector3x4::new(vectors).normalized();
+        let (units, are_units) = Vector3x4::new(baseline(), vectors).normalized();
         let units = units.to_lanes();
         for (lane, vector) in vectors.into_iter().enumerate() {
-            let is_unit = are_units.to_bitmask() >> lane & 1 != 0;
+            let is_unit = bits_of(are_units) >> lane & 1 != 0;
             let is_in_range = (1e-280..=1e280).contains(&vector.length_squared());
             assert_eq!(is_unit, is_in_range, "{vector}");
             assert!(
@@ -38,6 +39,6 @@ fn vectors_of_length_1_are_marked() {
         }
     }
     let squares = [1e-280, 1e280, 1e-280_f64.next_down(), 1e280_f64.next_up()];
-    let marked = is_square_of_a_length(Lanes::new(squares));
-    assert_eq!(marked.to_bitmask(), 0b0011);
+    let marked = is_square_of_a_length(lanes(baseline(), squares));
+    assert_eq!(bits_of(marked), 0b0011);
 }

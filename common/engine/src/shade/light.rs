@@ -1,9 +1,10 @@
 //! `Light`: the light that a source sends to one point and to four points.
 
 use common::Color;
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
-use crate::lanes::{ColorPacket, Lanes, Vector3x4, is_set};
+use crate::lanes::{ColorPacket, Lanes, Vector3x4, bits_of, greater, is_set, lanes, splat};
 use crate::vector::normalized;
 
 /// A source of light.
@@ -61,15 +62,15 @@ pub struct Illumination {
 
 /// The light that a source sends to up to four points.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct IlluminationPacket {
+pub(crate) struct IlluminationPacket<S: Simd> {
     /// A bit for each point on which it shines.
     pub lit: u32,
     /// Its colours there.
-    pub color: ColorPacket,
+    pub color: ColorPacket<S>,
     /// From the points to the source, of length 1.
-    pub direction: Vector3x4,
+    pub direction: Vector3x4<S>,
     /// From the points to the source.
-    pub distance: Lanes,
+    pub distance: Lanes<S>,
 }
 
 impl Light<'_> {
@@ -84,8 +85,13 @@ impl Light<'_> {
     }
 
     /// The light that it sends to the active of four points.
-    #[inline]
-    pub(crate) fn illuminate(&self, points: Vector3x4, active: u32) -> IlluminationPacket {
+    #[inline(always)]
+    pub(crate) fn illuminate<S: Simd>(
+        &self,
+        points: Vector3x4<S>,
+        active: u32,
+    ) -> IlluminationPacket<S> {
+        let simd = points.x.simd;
         match self.kind {
             LightKind::Point { color, position } => from_point(color, position, points, active),
             LightKind::Spot {
@@ -95,28 +101,34 @@ impl Light<'_> {
                 cos_half_angle,
             } => {
                 let mut light = from_point(color, position, points, active);
-                let cosine = (-light.direction).dot(Vector3x4::splat(direction));
+                let cosine = (-light.direction).dot(Vector3x4::splat(simd, direction));
                 // Two opposite unit vectors may multiply to a little less than -1.
-                let cosine = cosine.fast_max(Lanes::splat(-1.0));
-                light.lit &= cosine.simd_ge(Lanes::splat(cos_half_angle)).to_bitmask();
+                let cosine = greater(cosine, splat(simd, -1.0));
+                light.lit &= bits_of(cosine.simd_ge(cos_half_angle));
                 light
             }
             LightKind::Directional { color, direction } => IlluminationPacket {
                 lit: active,
-                color: ColorPacket::splat(color),
-                direction: Vector3x4::splat(-direction),
-                distance: Lanes::splat(f64::INFINITY),
+                color: ColorPacket::splat(simd, color),
+                direction: Vector3x4::splat(simd, -direction),
+                distance: splat(simd, f64::INFINITY),
             },
             LightKind::Other(ref illumination) => one_by_one(illumination, points, active),
         }
     }
 }
 
-#[inline]
-fn from_point(color: Color, position: DVec3, points: Vector3x4, active: u32) -> IlluminationPacket {
-    let to_light = Vector3x4::splat(position) - points;
+#[inline(always)]
+fn from_point<S: Simd>(
+    color: Color,
+    position: DVec3,
+    points: Vector3x4<S>,
+    active: u32,
+) -> IlluminationPacket<S> {
+    let simd = points.x.simd;
+    let to_light = Vector3x4::splat(simd, position) - points;
     let (direction, is_unit) = to_light.normalized();
-    if active & !is_unit.to_bitmask() != 0 {
+    if active & !bits_of(is_unit) != 0 {
         let illumination = |point: DVec3| {
             let to_light = position - point;
             Some(Illumination {
@@ -129,18 +141,19 @@ fn from_point(color: Color, position: DVec3, points: Vector3x4, active: u32) -> 
     }
     IlluminationPacket {
         lit: active,
-        color: ColorPacket::splat(color),
+        color: ColorPacket::splat(simd, color),
         direction,
         distance: to_light.dot(to_light).sqrt(),
     }
 }
 
 #[inline(never)]
-fn one_by_one(
+fn one_by_one<S: Simd>(
     illumination: impl Fn(DVec3) -> Option<Illumination>,
-    points: Vector3x4,
+    points: Vector3x4<S>,
     active: u32,
-) -> IlluminationPacket {
+) -> IlluminationPacket<S> {
+    let simd = points.x.simd;
     let points = points.to_lanes();
     let one = |lane: usize| is_set(active, lane).then(|| illumination(points[lane]));
     let lights = [0, 1, 2, 3].map(|lane| one(lane).flatten());
@@ -148,8 +161,8 @@ fn one_by_one(
     let lights = lights.map(Option::unwrap_or_default);
     IlluminationPacket {
         lit: lit.iter().sum(),
-        color: ColorPacket::new(lights.map(|light| light.color)),
-        direction: Vector3x4::new(lights.map(|light| light.direction)),
-        distance: Lanes::new(lights.map(|light| light.distance)),
+        color: ColorPacket::new(simd, lights.map(|light| light.color)),
+        direction: Vector3x4::new(simd, lights.map(|light| light.direction)),
+        distance: lanes(simd, lights.map(|light| light.distance)),
     }
 }

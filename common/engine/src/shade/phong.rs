@@ -4,10 +4,11 @@
 
 use common::Color;
 use common::steps::{self, StepKind};
+use fearless_simd::prelude::*;
 
 use super::IlluminationPacket;
 use super::power::powers;
-use crate::lanes::{ColorPacket, Lanes, Vector3x4, mask};
+use crate::lanes::{ColorPacket, Vector3x4, bits_of, greater, lesser, mask, splat};
 
 /// A Phong material; one without highlights is Lambert's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,9 +45,9 @@ impl Phong {
 
 /// The materials at four hits.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PhongPacket {
-    diffuse: ColorPacket,
-    specular: ColorPacket,
+pub(crate) struct PhongPacket<S: Simd> {
+    diffuse: ColorPacket<S>,
+    specular: ColorPacket<S>,
     exponents: [f64; 4],
     /// A bit for each that responds to light.
     pub responds_to_light: u32,
@@ -55,14 +56,14 @@ pub(crate) struct PhongPacket {
     has_power: u32,
 }
 
-impl PhongPacket {
+impl<S: Simd> PhongPacket<S> {
     /// The same material four times.
-    #[inline]
-    pub fn splat(material: &Phong) -> Self {
+    #[inline(always)]
+    pub fn splat(simd: S, material: &Phong) -> Self {
         let bits = |is: bool| if is { 0b1111 } else { 0 };
         Self {
-            diffuse: ColorPacket::splat(material.diffuse),
-            specular: ColorPacket::splat(material.specular),
+            diffuse: ColorPacket::splat(simd, material.diffuse),
+            specular: ColorPacket::splat(simd, material.specular),
             exponents: [material.exponent; 4],
             responds_to_light: bits(material.responds_to_light()),
             has_highlight: bits(material.has_highlight()),
@@ -71,15 +72,15 @@ impl PhongPacket {
     }
 
     /// These four materials.
-    #[inline]
-    pub fn new(materials: [&Phong; 4]) -> Self {
+    #[inline(always)]
+    pub fn new(simd: S, materials: [&Phong; 4]) -> Self {
         let bits = |is: fn(&Phong) -> bool| {
             let bits = [0, 1, 2, 3].map(|lane| u32::from(is(materials[lane])) << lane);
             bits.iter().sum()
         };
         Self {
-            diffuse: ColorPacket::new(materials.map(|phong| phong.diffuse)),
-            specular: ColorPacket::new(materials.map(|phong| phong.specular)),
+            diffuse: ColorPacket::new(simd, materials.map(|phong| phong.diffuse)),
+            specular: ColorPacket::new(simd, materials.map(|phong| phong.specular)),
             exponents: materials.map(|phong| phong.exponent),
             responds_to_light: bits(Phong::responds_to_light),
             has_highlight: bits(Phong::has_highlight),
@@ -88,39 +89,44 @@ impl PhongPacket {
     }
 
     /// The reflected ambient light.
-    #[inline]
-    pub fn ambient(&self, ambient: Color) -> ColorPacket {
-        self.diffuse * ColorPacket::splat(ambient)
+    #[inline(always)]
+    pub fn ambient(&self, ambient: Color) -> ColorPacket<S> {
+        self.diffuse * ColorPacket::splat(self.diffuse.r.simd, ambient)
     }
 
     /// The light of one source at hits with these normals, seen along rays with these
     /// directions; black in lanes that are not lit, and where the light is behind the surface. It takes
     /// the power of a highlight that is seen, or of every highlight.
-    #[inline]
+    #[inline(always)]
     pub fn shade(
         &self,
-        direction: Vector3x4,
-        normal: Vector3x4,
-        light: &IlluminationPacket,
+        direction: Vector3x4<S>,
+        normal: Vector3x4<S>,
+        light: &IlluminationPacket<S>,
         takes_every_power: bool,
-    ) -> ColorPacket {
-        let slant = normal.dot(light.direction).max(Lanes::ZERO);
+    ) -> ColorPacket<S> {
+        let simd = direction.x.simd;
+        let slant = greater(normal.dot(light.direction), splat(simd, 0.0));
         let diffuse = self.diffuse * light.color * slant;
 
         let cosine = (-direction).dot(light.direction.reflected_on(normal));
-        let is_mirrored = slant.simd_gt(Lanes::ZERO) & cosine.simd_gt(Lanes::ZERO);
-        let shining = is_mirrored.to_bitmask() & self.has_highlight & light.lit;
+        let is_mirrored = bits_of(slant.simd_gt(0.0) & cosine.simd_gt(0.0));
+        let shining = is_mirrored & self.has_highlight & light.lit;
         let computed = if takes_every_power {
             self.has_power & light.lit
         } else {
             shining
         };
         if computed == 0 {
-            return diffuse.masked(mask(light.lit));
+            return diffuse.masked(mask(simd, light.lit));
         }
         steps::count(StepKind::Power, computed.count_ones().into());
-        let powers = powers(cosine.abs().fast_min(Lanes::ONE), self.exponents, computed);
+        let powers = powers(
+            lesser(cosine.abs(), splat(simd, 1.0)),
+            self.exponents,
+            computed,
+        );
         let highlight = self.specular * light.color * powers;
-        (diffuse + highlight.masked(mask(shining))).masked(mask(light.lit))
+        (diffuse + highlight.masked(mask(simd, shining))).masked(mask(simd, light.lit))
     }
 }

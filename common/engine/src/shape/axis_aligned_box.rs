@@ -1,9 +1,10 @@
 //! `AxisAlignedBox`.
 
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use super::{Primitive, Rays};
-use crate::lanes::{Lanes, PacketHit, Vector3x4, copysign, first_positive, select, without};
+use crate::lanes::{Lanes, PacketHit, Vector3x4, first_positive, greater, lesser, splat, without};
 
 /// A box whose faces are perpendicular to the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,13 +23,13 @@ const WIDER: f64 = {
 };
 
 /// Four boxes.
-pub(crate) struct Boxes {
-    min: [Lanes; 3],
-    max: [Lanes; 3],
+pub(crate) struct Boxes<S: Simd> {
+    min: Vector3x4<S>,
+    max: Vector3x4<S>,
 }
 
 impl Primitive for &AxisAlignedBox {
-    type Four = Boxes;
+    type Four<S: Simd> = Boxes<S>;
 
     fn support(self, along: DVec3) -> f64 {
         let farther = |axis: usize| {
@@ -38,61 +39,66 @@ impl Primitive for &AxisAlignedBox {
         farther(0) + farther(1) + farther(2)
     }
 
-    #[inline]
-    fn four(shapes: [Self; 4]) -> Boxes {
+    #[inline(always)]
+    fn four<S: Simd>(simd: S, shapes: [Self; 4]) -> Boxes<S> {
         Boxes {
-            min: [0, 1, 2].map(|axis| Lanes::new(shapes.map(|shape| shape.min[axis]))),
-            max: [0, 1, 2].map(|axis| Lanes::new(shapes.map(|shape| shape.max[axis]))),
+            min: Vector3x4::new(simd, shapes.map(|shape| shape.min.into())),
+            max: Vector3x4::new(simd, shapes.map(|shape| shape.max.into())),
         }
     }
 
-    #[inline]
-    fn intersect(shapes: &Boxes, rays: &Rays, _: u32) -> Lanes {
+    #[inline(always)]
+    fn intersect<S: Simd>(shapes: &Boxes<S>, rays: &Rays<S>, _: u32) -> Lanes<S> {
         shapes.hits(rays).t
     }
 
-    #[inline]
-    fn hits(self, rays: &Rays, _: Lanes, _: u32) -> PacketHit {
-        Self::four([self; 4]).hits(rays)
+    #[inline(always)]
+    fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, _: u32) -> PacketHit<S> {
+        Self::four(t.simd, [self; 4]).hits(rays)
     }
 }
 
-impl Boxes {
+impl<S: Simd> Boxes<S> {
     /// The hits of a ray and a box in each lane.
-    #[inline]
-    fn hits(&self, rays: &Rays) -> PacketHit {
-        let coordinates = |v: Vector3x4| [v.x, v.y, v.z];
-        let (o, d) = (rays.packet.origin, rays.packet.direction);
-        let (o, d) = (coordinates(o), coordinates(d));
+    #[inline(always)]
+    fn hits(&self, rays: &Rays<S>) -> PacketHit<S> {
+        let simd = rays.packet.simd();
+        let (o, d) = (rays.packet.origin.axes(), rays.packet.direction.axes());
+        let (min, max) = (self.min.axes(), self.max.axes());
 
-        let mut near = Lanes::splat(f64::NEG_INFINITY);
-        let mut far = Lanes::splat(f64::INFINITY);
+        let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
+        let mut near = splat(simd, f64::NEG_INFINITY);
+        let mut far = splat(simd, f64::INFINITY);
         // The outward normals of the faces that are entered and left.
-        let (mut near_normal, mut far_normal) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
+        let (mut near_normal, mut far_normal) = ([zero; 3], [zero; 3]);
         for axis in 0..3 {
-            let inverse = Lanes::ONE / d[axis];
-            let a = (self.min[axis] - o[axis]) * inverse;
-            let b = (self.max[axis] - o[axis]) * inverse;
-            // In this order `min` and `max` drop the NaN of a ray within a face.
-            let entered = a.max(near).fast_min(b.max(near));
-            let left = a.min(far).fast_max(b.min(far));
+            let inverse = one / d[axis];
+            let a = (min[axis] - o[axis]) * inverse;
+            let b = (max[axis] - o[axis]) * inverse;
+            // In this order the NaN of a ray within a face is dropped.
+            let entered = lesser(greater(a, near), greater(b, near));
+            let left = greater(lesser(a, far), lesser(b, far));
             let (later, earlier) = (entered.simd_gt(near), left.simd_lt(far));
-            near = select(later, entered, near);
-            far = select(earlier, left, far);
+            near = later.select(entered, near);
+            far = earlier.select(left, far);
             for earlier_axis in 0..axis {
-                near_normal[earlier_axis] &= !later;
-                far_normal[earlier_axis] &= !earlier;
+                near_normal[earlier_axis] = later.select(zero, near_normal[earlier_axis]);
+                far_normal[earlier_axis] = earlier.select(zero, far_normal[earlier_axis]);
             }
-            let along = copysign(Lanes::ONE, d[axis]);
-            near_normal[axis] = -along & later;
-            far_normal[axis] = along & earlier;
+            let along = one.copysign(d[axis]);
+            near_normal[axis] = later.select(-along, zero);
+            far_normal[axis] = earlier.select(along, zero);
         }
-        let missed = near.simd_gt(far * Lanes::splat(WIDER));
-        let far = far.fast_max(near);
+        let missed = near.simd_gt(far * WIDER);
+        let far = greater(far, near);
 
-        let enters = near.simd_gt(Lanes::ZERO);
-        let [x, y, z] = [0, 1, 2].map(|axis| select(enters, near_normal[axis], far_normal[axis]));
+        let enters = near.simd_gt(0.0);
+        let normal = Vector3x4 {
+            x: enters.select(near_normal[0], far_normal[0]),
+            y: enters.select(near_normal[1], far_normal[1]),
+            z: enters.select(near_normal[2], far_normal[2]),
+        };
         let t = without(missed, first_positive(near, far));
-        PacketHit::with_normals(t, Vector3x4 { x, y, z }, Lanes::ZERO)
+        PacketHit::with_normals(t, normal, zero)
     }
 }

@@ -6,11 +6,12 @@
 
 use std::sync::Arc;
 
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use super::{Bounds, Counts, Primitive, Rays, Shape};
 use crate::accel::{Accelerator, AnyHitQuery, NearestQuery, Shapes};
-use crate::lanes::{Lanes, PacketHit, mask, select};
+use crate::lanes::{Lanes, PacketHit, mask, no_hit, splat};
 
 /// Shapes that stand in several places. A clone shares them.
 #[derive(Clone)]
@@ -42,22 +43,32 @@ impl<'a> Instance<'a> {
     }
 
     /// The nearest hits of four rays, if they are not behind `t_max`.
-    fn query(&self, rays: &Rays, active: u32, t_max: Lanes) -> NearestQuery {
-        let mut query = NearestQuery::new(&rays.packet, active).not_behind(t_max);
-        self.0.accelerator.traverse_rays(&mut query, &mut ());
-        query
+    fn query<S: Simd>(&self, rays: &Rays<S>, active: u32, t_max: Lanes<S>) -> NearestQuery<S> {
+        t_max.simd.vectorize(
+            #[inline(always)]
+            || {
+                let mut query = NearestQuery::new(&rays.packet, active).not_behind(t_max);
+                self.0.accelerator.traverse_rays(&mut query, &mut ());
+                query
+            },
+        )
     }
 
     /// The `t` of the nearest hits of four rays; NaN without a hit, or if it is behind `t_max`.
-    pub(super) fn nearest_before(&self, rays: &Rays, active: u32, t_max: Lanes) -> Lanes {
+    pub(super) fn nearest_before<S: Simd>(
+        &self,
+        rays: &Rays<S>,
+        active: u32,
+        t_max: Lanes<S>,
+    ) -> Lanes<S> {
         let query = self.query(rays, active, t_max);
-        select(mask(query.hit_mask()), query.t(), Lanes::splat(f64::NAN))
+        mask(t_max.simd, query.hit_mask()).select(query.t(), no_hit(t_max.simd))
     }
 }
 
 impl Primitive for &Instance<'_> {
     /// A leaf holds one of them only.
-    type Four = Self;
+    type Four<S: Simd> = Self;
 
     /// That of the box around all shapes.
     fn support(self, along: DVec3) -> f64 {
@@ -73,21 +84,30 @@ impl Primitive for &Instance<'_> {
         self.0.depth_error
     }
 
-    fn four([shape, ..]: [Self; 4]) -> Self {
+    fn four<S: Simd>(_: S, [shape, ..]: [Self; 4]) -> Self {
         shape
     }
 
-    fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
-        shape.nearest_before(rays, active, Lanes::splat(f64::INFINITY))
+    fn intersect<S: Simd>(shape: &Self, rays: &Rays<S>, active: u32) -> Lanes<S> {
+        shape.nearest_before(rays, active, splat(rays.packet.simd(), f64::INFINITY))
     }
 
     /// Looks for the nearest hits again, which are those that `intersect` has found.
-    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+    fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, active: u32) -> PacketHit<S> {
         let query = self.query(rays, active, t);
-        self.0.accelerator.shapes.hits_outwards(&query).hit
+        t.simd.vectorize(
+            #[inline(always)]
+            || self.0.accelerator.shapes.hits_outwards(&query).hit,
+        )
     }
 
-    fn any_hit_of_parts(self, rays: &Rays, before: Lanes, active: u32, counts: Counts) -> u32 {
+    fn any_hit_of_parts<S: Simd>(
+        self,
+        rays: &Rays<S>,
+        before: Lanes<S>,
+        active: u32,
+        counts: Counts<S>,
+    ) -> u32 {
         let mut query = AnyHitQuery::new(&rays.packet, before, active, counts);
         self.0.accelerator.traverse_rays(&mut query, &mut ());
         query.found(active)

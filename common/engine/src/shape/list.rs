@@ -1,6 +1,7 @@
 //! `List`: shapes of one kind side by side in memory.
 
 use super::Primitive;
+use crate::lanes::Simd;
 
 /// Shapes of one kind.
 pub(crate) trait List {
@@ -12,12 +13,16 @@ pub(crate) trait List {
     fn get(&self, index: usize) -> Self::Shape<'_>;
 
     /// Four shapes side by side.
-    fn four(&self, indices: [usize; 4]) -> <Self::Shape<'_> as Primitive>::Four;
+    fn four<S: Simd>(
+        &self,
+        simd: S,
+        indices: [usize; 4],
+    ) -> <Self::Shape<'_> as Primitive>::Four<S>;
 
     /// One shape four times.
-    #[inline]
-    fn splat(&self, index: usize) -> <Self::Shape<'_> as Primitive>::Four {
-        self.four([index; 4])
+    #[inline(always)]
+    fn splat<S: Simd>(&self, simd: S, index: usize) -> <Self::Shape<'_> as Primitive>::Four<S> {
+        self.four(simd, [index; 4])
     }
 
     fn swap(&mut self, a: usize, b: usize);
@@ -37,9 +42,9 @@ where
         &self[index]
     }
 
-    #[inline]
-    fn four(&self, indices: [usize; 4]) -> <&P as Primitive>::Four {
-        <&P>::four(indices.map(|index| &self[index]))
+    #[inline(always)]
+    fn four<S: Simd>(&self, simd: S, indices: [usize; 4]) -> <&P as Primitive>::Four<S> {
+        <&P>::four(simd, indices.map(|index| &self[index]))
     }
 
     fn swap(&mut self, a: usize, b: usize) {

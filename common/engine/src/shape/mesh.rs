@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::pool::Pool;
 use super::{Corners, List, Triangle};
-use crate::lanes::Lanes;
+use crate::lanes::{Simd, Vector3x4, lanes, transposed};
 
 /// Triangles. Each normal is stored once, but corners as often as they are shared: most tests
 /// read nothing else, and the four triangles of a leaf lie side by side.
@@ -62,21 +62,25 @@ impl List for Mesh {
     }
 
     /// Four numbers that lie together are read at once.
-    #[inline]
-    fn four(&self, indices: [usize; 4]) -> Corners {
+    #[inline(always)]
+    fn four<S: Simd>(&self, simd: S, indices: [usize; 4]) -> Corners<S> {
         let four = indices.map(|index| &self.corners[index]);
-        let rows = |row: fn(&[DVec3; 3]) -> [f64; 4]| {
-            Lanes::transpose(four.map(|corners| Lanes::new(row(corners))))
-        };
-        let [ax, ay, az, bx] = rows(|[a, b, _]| [a.x, a.y, a.z, b.x]);
-        let [by, bz, cx, cy] = rows(|[_, b, c]| [b.y, b.z, c.x, c.y]);
-        let cz = Lanes::new(four.map(|[_, _, c]| c.z));
+        let first = four.map(|[a, b, _]| lanes(simd, [a.x, a.y, a.z, b.x]));
+        let then = four.map(|[_, b, c]| lanes(simd, [b.y, b.z, c.x, c.y]));
+        let [ax, ay, az, bx] = transposed(first);
+        let [by, bz, cx, cy] = transposed(then);
+        let cz = lanes(simd, four.map(|[_, _, c]| c.z));
         [[ax, ay, az], [bx, by, bz], [cx, cy, cz]]
     }
 
-    #[inline]
-    fn splat(&self, index: usize) -> Corners {
-        self.corners[index].map(|corner| [corner.x, corner.y, corner.z].map(Lanes::splat))
+    #[inline(always)]
+    fn splat<S: Simd>(&self, simd: S, index: usize) -> Corners<S> {
+        let [a, b, c] = self.corners[index];
+        [
+            Vector3x4::splat(simd, a).axes(),
+            Vector3x4::splat(simd, b).axes(),
+            Vector3x4::splat(simd, c).axes(),
+        ]
     }
 
     fn swap(&mut self, a: usize, b: usize) {

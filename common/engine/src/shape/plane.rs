@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Primitive, Rays};
-use crate::lanes::{Lanes, PacketHit, Vector3x4, positive};
+use crate::lanes::{Lanes, PacketHit, Simd, Vector3x4, positive};
 
 /// The plane through a point, perpendicular to a normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,34 +15,34 @@ pub struct Plane {
 }
 
 /// Four planes.
-pub(crate) struct Planes {
-    pub point: Vector3x4,
-    normal: Vector3x4,
+pub(crate) struct Planes<S: Simd> {
+    pub point: Vector3x4<S>,
+    normal: Vector3x4<S>,
 }
 
 impl Primitive for &Plane {
-    type Four = Planes;
+    type Four<S: Simd> = Planes<S>;
 
-    #[inline]
-    fn four(shapes: [Self; 4]) -> Planes {
+    #[inline(always)]
+    fn four<S: Simd>(simd: S, shapes: [Self; 4]) -> Planes<S> {
         Planes {
-            point: Vector3x4::new(shapes.map(|plane| plane.point)),
-            normal: Vector3x4::new(shapes.map(|plane| plane.normal)),
+            point: Vector3x4::new(simd, shapes.map(|plane| plane.point)),
+            normal: Vector3x4::new(simd, shapes.map(|plane| plane.normal)),
         }
     }
 
-    #[inline]
-    fn intersect(shapes: &Planes, rays: &Rays, _: u32) -> Lanes {
+    #[inline(always)]
+    fn intersect<S: Simd>(shapes: &Planes<S>, rays: &Rays<S>, _: u32) -> Lanes<S> {
         let (a, n) = (shapes.point, shapes.normal);
         let ray = &rays.packet;
         // The quotient of a ray within the plane is 0 / 0 = NaN: no hit.
         positive((a - ray.origin).dot(n) / ray.direction.dot(n))
     }
 
-    #[inline]
-    fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
-        let to_point = Vector3x4::splat(self.point) - rays.packet.origin;
-        let normal = Vector3x4::splat(self.normal);
+    #[inline(always)]
+    fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, _: u32) -> PacketHit<S> {
+        let to_point = Vector3x4::splat(t.simd, self.point) - rays.packet.origin;
+        let normal = Vector3x4::splat(t.simd, self.normal);
         PacketHit::with_normals(t, normal, to_point.abs().dot(normal.abs()))
     }
 }

@@ -6,15 +6,15 @@
 use glam::DVec3;
 
 use super::{Bounds, Rays};
-use crate::lanes::{Lanes, PacketHit};
+use crate::lanes::{Lanes, PacketHit, Simd};
 
 /// A bit for each of four hits that counts.
-pub(crate) type Counts<'a> = &'a dyn Fn(&PacketHit) -> u32;
+pub(crate) type Counts<'a, S> = &'a dyn Fn(&PacketHit<S>) -> u32;
 
 /// A shape that rays are tested against.
 pub(crate) trait Primitive: Copy {
     /// Four shapes side by side.
-    type Four;
+    type Four<S: Simd>;
 
     /// The support function: the greatest dot product of a vector with a point of the shape.
     fn support(self, _: DVec3) -> f64 {
@@ -33,27 +33,38 @@ pub(crate) trait Primitive: Copy {
     }
 
     /// Four shapes side by side.
-    fn four(shapes: [Self; 4]) -> Self::Four;
+    fn four<S: Simd>(simd: S, shapes: [Self; 4]) -> Self::Four<S>;
 
     /// The least `t` above 0 at which the ray of each lane meets the shape of the lane, with the
     /// operations of the lesson; NaN without a hit. Lanes whose bits are not set in `active` hold
     /// anything.
-    fn intersect(shapes: &Self::Four, rays: &Rays, active: u32) -> Lanes;
+    fn intersect<S: Simd>(shapes: &Self::Four<S>, rays: &Rays<S>, active: u32) -> Lanes<S>;
 
     /// Like [`Primitive::intersect`], but a hit behind `t_max` may be left out. Shapes that take long
     /// to find their hits use it.
-    #[inline]
-    fn intersect_before(shapes: &Self::Four, rays: &Rays, active: u32, _t_max: Lanes) -> Lanes {
+    #[inline(always)]
+    fn intersect_before<S: Simd>(
+        shapes: &Self::Four<S>,
+        rays: &Rays<S>,
+        active: u32,
+        _t_max: Lanes<S>,
+    ) -> Lanes<S> {
         Self::intersect(shapes, rays, active)
     }
 
     /// The hits of four rays at these `t`, which `intersect` has found in the active lanes.
-    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit;
+    fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, active: u32) -> PacketHit<S>;
 
     /// A bit for each active ray whose nearest hit of any part of the shape, at a `t` below
     /// `before`, counts. Called where the nearest hit of the shape does not count, so that none of
     /// a single part does.
-    fn any_hit_of_parts(self, _: &Rays, _before: Lanes, _active: u32, _: Counts) -> u32 {
+    fn any_hit_of_parts<S: Simd>(
+        self,
+        _: &Rays<S>,
+        _before: Lanes<S>,
+        _active: u32,
+        _: Counts<S>,
+    ) -> u32 {
         0
     }
 }

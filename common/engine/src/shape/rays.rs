@@ -5,22 +5,22 @@ use std::cell::OnceCell;
 
 use super::ShearedRays;
 use crate::Ray;
-use crate::lanes::{RayPacket, Vector3x4};
+use crate::lanes::{RayPacket, Simd, Vector3x4};
 
 /// Rays about to be tested, and the numbers of them that are computed only once.
 #[derive(Debug)]
-pub(crate) struct Rays {
+pub(crate) struct Rays<S: Simd> {
     /// The rays.
-    pub packet: RayPacket,
+    pub packet: RayPacket<S>,
     /// A bit for each ray that is tested.
     pub active: u32,
-    sheared: OnceCell<ShearedRays>,
+    sheared: OnceCell<ShearedRays<S>>,
 }
 
-impl Rays {
+impl<S: Simd> Rays<S> {
     /// The active of four rays. An active one stands in for each of the others.
-    #[inline]
-    pub fn four(packet: &RayPacket, active: u32) -> Self {
+    #[inline(always)]
+    pub fn four(packet: &RayPacket<S>, active: u32) -> Self {
         Self {
             packet: packet.filled(active),
             active,
@@ -29,12 +29,12 @@ impl Rays {
     }
 
     /// One ray, four times.
-    #[inline]
-    pub fn one(ray: &Ray) -> Self {
+    #[inline(always)]
+    pub fn one(simd: S, ray: &Ray) -> Self {
         Self {
             packet: RayPacket {
-                origin: Vector3x4::splat(ray.origin),
-                direction: Vector3x4::splat(ray.direction),
+                origin: Vector3x4::splat(simd, ray.origin),
+                direction: Vector3x4::splat(simd, ray.direction),
             },
             active: 0b1111,
             sheared: OnceCell::new(),
@@ -42,8 +42,8 @@ impl Rays {
     }
 
     /// The same rays in another space.
-    #[inline]
-    pub fn with_packet(&self, packet: RayPacket) -> Self {
+    #[inline(always)]
+    pub fn with_packet(&self, packet: RayPacket<S>) -> Self {
         Self {
             packet,
             active: self.active,
@@ -52,9 +52,13 @@ impl Rays {
     }
 
     /// The rays as triangles need them.
-    #[inline]
-    pub fn sheared(&self) -> &ShearedRays {
-        let sheared = || ShearedRays::new(&self.packet, self.active);
-        self.sheared.get_or_init(sheared)
+    #[inline(always)]
+    pub fn sheared(&self) -> &ShearedRays<S> {
+        self.sheared.get_or_init(|| {
+            self.packet.simd().vectorize(
+                #[inline(always)]
+                || ShearedRays::new(&self.packet, self.active),
+            )
+        })
     }
 }

@@ -3,36 +3,40 @@
 //! Space is sheared so that the ray is the z axis, and z measured in a power of two of `t`. (Woop,
 //! Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.)
 
-use crate::lanes::{Lanes, RayPacket, Vector3x4, is_square_for_formulas, powers_of_two, select};
+use fearless_simd::prelude::*;
+
+use crate::lanes::{
+    Lanes, Mask, RayPacket, Vector3x4, bits_of, is_square_for_formulas, powers_of_two, splat,
+};
 
 /// Four sheared rays.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ShearedRays {
-    axes: Axes,
-    origin: [Lanes; 3],
-    shear: [Lanes; 2],
-    scale_z: Lanes,
+pub(crate) struct ShearedRays<S: Simd> {
+    axes: Axes<S>,
+    origin: [Lanes<S>; 3],
+    shear: [Lanes<S>; 2],
+    scale_z: Lanes<S>,
     /// `t` of the rays for 1 of `z`: powers of two, which round nothing.
-    pub t_of_z: Lanes,
+    pub t_of_z: Lanes<S>,
 }
 
 /// The axes x, y and z of the sheared spaces.
 #[derive(Clone, Copy, Debug)]
-enum Axes {
+enum Axes<S: Simd> {
     Same([usize; 3]),
     /// Masks of the rays that go farthest along the first axis, and along the second.
-    Mixed([Lanes; 2]),
+    Mixed([Mask<S>; 2]),
 }
 
-impl Axes {
+impl<S: Simd> Axes<S> {
     /// Of rays with these directions; only the active ones count.
-    #[inline]
-    fn new(direction: Vector3x4, active: u32) -> Self {
-        let [x, y, z] = [direction.x, direction.y, direction.z].map(Lanes::abs);
+    #[inline(always)]
+    fn new(direction: Vector3x4<S>, active: u32) -> Self {
+        let Vector3x4 { x, y, z } = direction.abs();
         let beyond_x = y.simd_gt(x);
-        let third = z.simd_gt(select(beyond_x, y, x));
+        let third = z.simd_gt(beyond_x.select(y, x));
         let masks = [!(beyond_x | third), beyond_x & !third, third];
-        let is_of_all = |mask: &Lanes| active & !mask.to_bitmask() == 0;
+        let is_of_all = |mask: &Mask<S>| active & !bits_of(*mask) == 0;
         match masks.iter().position(is_of_all) {
             Some(z) => Self::Same([(z + 1) % 3, (z + 2) % 3, z]),
             None => Self::Mixed([masks[0], masks[1]]),
@@ -40,40 +44,44 @@ impl Axes {
     }
 
     /// The coordinates along the axes x, y and z.
-    #[inline]
-    fn along(self, coordinates: &[Lanes; 3]) -> [Lanes; 3] {
+    #[inline(always)]
+    fn along(self, coordinates: &[Lanes<S>; 3]) -> [Lanes<S>; 3] {
         match self {
-            Self::Same(axes) => axes.map(|axis| coordinates[axis]),
-            Self::Mixed([first, second]) => [1, 2, 0].map(|of_first| {
-                let [a, b, c] = [0, 1, 2].map(|axis| coordinates[(of_first + axis) % 3]);
-                select(first, a, select(second, b, c))
-            }),
+            Self::Same([x, y, z]) => [coordinates[x], coordinates[y], coordinates[z]],
+            Self::Mixed([first, second]) => {
+                let [a, b, c] = *coordinates;
+                [
+                    first.select(b, second.select(c, a)),
+                    first.select(c, second.select(a, b)),
+                    first.select(a, second.select(b, c)),
+                ]
+            }
         }
     }
 }
 
-impl ShearedRays {
-    #[inline]
-    pub fn new(rays: &RayPacket, active: u32) -> Self {
+impl<S: Simd> ShearedRays<S> {
+    #[inline(always)]
+    pub fn new(rays: &RayPacket<S>, active: u32) -> Self {
         let RayPacket { origin, direction } = *rays;
         let axes = Axes::new(direction, active);
-        let [x, y, z] = axes.along(&[direction.x, direction.y, direction.z]);
+        let [x, y, z] = axes.along(&direction.axes());
         // Areas times depths in `t` might be infinite or 0.
-        let inverse = Lanes::ONE / z;
+        let inverse = 1.0 / z;
         let is_plain = is_square_for_formulas(inverse * inverse);
-        let unit = select(is_plain, Lanes::ONE, powers_of_two(z));
+        let unit = is_plain.select(splat(z.simd, 1.0), powers_of_two(z));
         Self {
             axes,
-            origin: axes.along(&[origin.x, origin.y, origin.z]),
+            origin: axes.along(&origin.axes()),
             shear: [x / z, y / z],
             scale_z: unit / z,
-            t_of_z: Lanes::ONE / unit,
+            t_of_z: 1.0 / unit,
         }
     }
 
     /// A point for each ray, in its sheared space.
-    #[inline]
-    pub fn sheared(&self, point: &[Lanes; 3]) -> [Lanes; 3] {
+    #[inline(always)]
+    pub fn sheared(&self, point: &[Lanes<S>; 3]) -> [Lanes<S>; 3] {
         let [x, y, z] = self.axes.along(point);
         let depth = z - self.origin[2];
         [

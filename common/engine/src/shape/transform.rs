@@ -1,5 +1,6 @@
 //! `Transform`: a matrix and its inverse, applied to four rays and to four normals.
 
+use fearless_simd::prelude::*;
 use glam::{DMat4, DVec3};
 
 use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4};
@@ -44,41 +45,53 @@ impl Transform {
 
     /// Four rays in the space of the object. Their directions keep the length that the inverse
     /// gives them, so that `t` means the same in both spaces.
-    #[inline]
-    pub(crate) fn rays(&self, rays: &RayPacket) -> RayPacket {
-        let [x, y, z, w] = self.columns().map(Vector3x4::splat);
-        let moved = |v: Vector3x4| x * v.x + y * v.y + z * v.z;
+    #[inline(always)]
+    pub(crate) fn rays<S: Simd>(&self, rays: &RayPacket<S>) -> RayPacket<S> {
+        let [x, y, z, w] = self.columns(rays.simd());
+        let RayPacket { origin, direction } = rays;
         RayPacket {
-            origin: moved(rays.origin) + w,
-            direction: moved(rays.direction),
+            origin: x * origin.x + y * origin.y + z * origin.z + w,
+            direction: x * direction.x + y * direction.y + z * direction.z,
         }
     }
 
     /// Four normals in the space around the object, of length 1.
-    #[inline]
-    pub(super) fn normals(&self, n: Vector3x4) -> Vector3x4 {
-        let [x, y, z, _] = self.columns().map(|column| Vector3x4::splat(column).dot(n));
-        Vector3x4 { x, y, z }.normalized().0
+    #[inline(always)]
+    pub(super) fn normals<S: Simd>(&self, n: Vector3x4<S>) -> Vector3x4<S> {
+        self.stretched(n).normalized().0
     }
 
     /// The scales of four hits of the object in the space around it.
-    #[inline]
-    pub(super) fn scales(&self, hit: &PacketHit, rays: &RayPacket) -> Lanes {
-        let columns = self.columns().map(Vector3x4::splat);
-        let [x, y, z] =
-            [columns[0], columns[1], columns[2]].map(|column| column.dot(hit.geometric_normal));
-        let length = Vector3x4 { x, y, z };
+    #[inline(always)]
+    pub(super) fn scales<S: Simd>(&self, hit: &PacketHit<S>, rays: &RayPacket<S>) -> Lanes<S> {
+        let length = self.stretched(hit.geometric_normal);
         let point = rays.origin.abs() + rays.at(hit.t).abs();
-        let [x, y, z, w] = columns.map(Vector3x4::abs);
-        let terms = x * point.x + y * point.y + z * point.z + w;
+        let [x, y, z, w] = self.columns(rays.simd());
+        let terms = x.abs() * point.x + y.abs() * point.y + z.abs() * point.z + w.abs();
         (terms.dot(hit.geometric_normal.abs()) + hit.scale) / length.dot(length).sqrt()
     }
 
-    /// The columns of the inverse.
-    #[inline]
-    fn columns(&self) -> [DVec3; 4] {
+    /// Four normals of the object by the transpose of the inverse, which changes their lengths.
+    #[inline(always)]
+    fn stretched<S: Simd>(&self, n: Vector3x4<S>) -> Vector3x4<S> {
+        let [x, y, z, _] = self.columns(n.x.simd);
+        Vector3x4 {
+            x: x.dot(n),
+            y: y.dot(n),
+            z: z.dot(n),
+        }
+    }
+
+    /// The columns of the inverse, each four times.
+    #[inline(always)]
+    fn columns<S: Simd>(&self, simd: S) -> [Vector3x4<S>; 4] {
         let i = &self.inverse;
-        [i.x_axis, i.y_axis, i.z_axis, i.w_axis].map(glam::DVec4::truncate)
+        [
+            Vector3x4::splat(simd, i.x_axis.truncate()),
+            Vector3x4::splat(simd, i.y_axis.truncate()),
+            Vector3x4::splat(simd, i.z_axis.truncate()),
+            Vector3x4::splat(simd, i.w_axis.truncate()),
+        ]
     }
 }
 

@@ -8,7 +8,7 @@ use common::steps::{self, StepKind};
 use super::transform::spectral_norm;
 use super::transformed_bounds::transformed_bounds;
 use super::{Bounds, Counts, Primitive, Rays, Shape, Transform};
-use crate::lanes::{Lanes, PacketHit, RayPacket};
+use crate::lanes::{Lanes, PacketHit, RayPacket, Simd};
 
 /// A shape under transforms.
 pub struct Transformed<'a> {
@@ -27,30 +27,44 @@ impl Transformed<'_> {
     }
 
     /// Rays in the space of the shape.
-    #[inline]
-    fn rays_inside(&self, rays: &Rays) -> Rays {
-        let steps = self.steps.iter();
-        rays.with_packet(steps.fold(rays.packet, |rays, step| step.rays(&rays)))
+    #[inline(always)]
+    fn rays_inside<S: Simd>(&self, rays: &Rays<S>) -> Rays<S> {
+        let mut packet = rays.packet;
+        for step in &self.steps {
+            packet = step.rays(&packet);
+        }
+        rays.with_packet(packet)
     }
 
     /// The hits of the shape under these steps, the innermost.
-    fn hits_in(&self, steps: &[Transform], rays: &Rays, t: Lanes, active: u32) -> PacketHit {
-        let Some((step, inner)) = steps.split_first() else {
-            return self.shape.hits(rays, t, active);
-        };
-        let object_rays = rays.with_packet(step.rays(&rays.packet));
-        let hit = self.hits_in(inner, &object_rays, t, active);
-        hits_around(step, &hit, &rays.packet)
+    fn hits_in<S: Simd>(
+        &self,
+        steps: &[Transform],
+        rays: &Rays<S>,
+        t: Lanes<S>,
+        active: u32,
+    ) -> PacketHit<S> {
+        t.simd.vectorize(
+            #[inline(always)]
+            || {
+                let Some((step, inner)) = steps.split_first() else {
+                    return self.shape.hits(rays, t, active);
+                };
+                let object_rays = rays.with_packet(step.rays(&rays.packet));
+                let hit = self.hits_in(inner, &object_rays, t, active);
+                hits_around(step, &hit, &rays.packet)
+            },
+        )
     }
 
     /// [`Primitive::any_hit_of_parts`] of the shape under these steps, the innermost.
-    fn any_hit_in(
+    fn any_hit_in<S: Simd>(
         &self,
         steps: &[Transform],
-        rays: &Rays,
-        before: Lanes,
+        rays: &Rays<S>,
+        before: Lanes<S>,
         active: u32,
-        counts: Counts,
+        counts: Counts<S>,
     ) -> u32 {
         let Some((step, inner)) = steps.split_first() else {
             return self.shape.any_hit_of_parts(rays, before, active, counts);
@@ -63,7 +77,8 @@ impl Transformed<'_> {
 }
 
 /// Four hits in the space around a transformed object.
-fn hits_around(step: &Transform, hit: &PacketHit, rays: &RayPacket) -> PacketHit {
+#[inline(always)]
+fn hits_around<S: Simd>(step: &Transform, hit: &PacketHit<S>, rays: &RayPacket<S>) -> PacketHit<S> {
     PacketHit {
         t: hit.t,
         normal: step.normals(hit.normal),
@@ -74,7 +89,7 @@ fn hits_around(step: &Transform, hit: &PacketHit, rays: &RayPacket) -> PacketHit
 
 impl Primitive for &Transformed<'_> {
     /// A leaf holds one of them only.
-    type Four = Self;
+    type Four<S: Simd> = Self;
 
     fn bounds(self) -> Bounds {
         transformed_bounds(&self.steps, |along| self.shape.support(along))
@@ -86,19 +101,27 @@ impl Primitive for &Transformed<'_> {
         norms.product::<f64>() * (1.0 + 1e-9) * self.shape.depth_error()
     }
 
-    #[inline]
-    fn four([shape, ..]: [Self; 4]) -> Self {
+    #[inline(always)]
+    fn four<S: Simd>(_: S, [shape, ..]: [Self; 4]) -> Self {
         shape
     }
 
-    #[inline]
-    fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
+    #[inline(always)]
+    fn intersect<S: Simd>(shape: &Self, rays: &Rays<S>, active: u32) -> Lanes<S> {
         shape.count(active);
-        shape.shape.intersect(&shape.rays_inside(rays), active)
+        rays.packet.simd().vectorize(
+            #[inline(always)]
+            || shape.shape.intersect(&shape.rays_inside(rays), active),
+        )
     }
 
-    #[inline]
-    fn intersect_before(shape: &Self, rays: &Rays, active: u32, t_max: Lanes) -> Lanes {
+    #[inline(always)]
+    fn intersect_before<S: Simd>(
+        shape: &Self,
+        rays: &Rays<S>,
+        active: u32,
+        t_max: Lanes<S>,
+    ) -> Lanes<S> {
         match &*shape.shape {
             Shape::Instance(instance) => {
                 shape.count(active);
@@ -108,11 +131,17 @@ impl Primitive for &Transformed<'_> {
         }
     }
 
-    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+    fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, active: u32) -> PacketHit<S> {
         self.hits_in(&self.steps, rays, t, active)
     }
 
-    fn any_hit_of_parts(self, rays: &Rays, before: Lanes, active: u32, counts: Counts) -> u32 {
+    fn any_hit_of_parts<S: Simd>(
+        self,
+        rays: &Rays<S>,
+        before: Lanes<S>,
+        active: u32,
+        counts: Counts<S>,
+    ) -> u32 {
         self.any_hit_in(&self.steps, rays, before, active, counts)
     }
 }

@@ -2,10 +2,11 @@
 //!
 //! (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.)
 
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use super::{Bounds, Primitive, Rays};
-use crate::lanes::{Lanes, NO_HIT, PacketHit, Vector3x4, positive, without};
+use crate::lanes::{Lanes, Mask, PacketHit, Vector3x4, no_hit, positive, splat, without};
 use crate::vector::normalized;
 
 /// Three corners, each with a shading normal.
@@ -54,10 +55,10 @@ impl Triangle {
 }
 
 /// The corners of four triangles, coordinate by coordinate.
-pub(crate) type Corners = [[Lanes; 3]; 3];
+pub(crate) type Corners<S> = [[Lanes<S>; 3]; 3];
 
 impl Primitive for Triangle {
-    type Four = Corners;
+    type Four<S: Simd> = Corners<S>;
 
     fn support(self, along: DVec3) -> f64 {
         if !self.is_wide() {
@@ -84,39 +85,42 @@ impl Primitive for Triangle {
         }
     }
 
-    #[inline]
-    fn four(shapes: [Self; 4]) -> Corners {
-        [0, 1, 2].map(|corner| {
-            let Vector3x4 { x, y, z } = Vector3x4::new(shapes.map(|shape| shape.corners[corner]));
-            [x, y, z]
-        })
+    #[inline(always)]
+    fn four<S: Simd>(simd: S, shapes: [Self; 4]) -> Corners<S> {
+        let [a, b, c] = [0, 1, 2].map(|corner| shapes.map(|shape| shape.corners[corner]));
+        [
+            Vector3x4::new(simd, a).axes(),
+            Vector3x4::new(simd, b).axes(),
+            Vector3x4::new(simd, c).axes(),
+        ]
     }
 
-    #[inline]
-    fn intersect(shapes: &Corners, rays: &Rays, _: u32) -> Lanes {
-        let corners = shapes
-            .each_ref()
-            .map(|corner| rays.sheared().sheared(corner));
+    #[inline(always)]
+    fn intersect<S: Simd>(shapes: &Corners<S>, rays: &Rays<S>, _: u32) -> Lanes<S> {
+        let corners = sheared(shapes, rays);
         let [u, v, w] = edge_functions(&corners);
-        let zero = Lanes::ZERO;
-        let right = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
-        let left = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
+        let right = u.simd_lt(0.0) | v.simd_lt(0.0) | w.simd_lt(0.0);
+        let left = u.simd_gt(0.0) | v.simd_gt(0.0) | w.simd_gt(0.0);
         let missed = right & left;
-        if missed.all() {
-            return NO_HIT;
+        if missed.all_true() {
+            return no_hit(u.simd);
         }
-        let [a, b, c] = corners;
         let determinant = u + v + w;
-        let missed = missed | determinant.simd_eq(zero) | are_beside([a, b, c]);
+        let missed = missed | determinant.simd_eq(0.0) | are_beside(&corners);
+        let [a, b, c] = corners;
         let z = (u * a[2] + v * b[2] + w * c[2]) / determinant;
         without(missed, positive(z * rays.sheared().t_of_z))
     }
 
-    #[inline]
-    fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
-        let geometric_normal = Vector3x4::splat(self.geometric_normal);
-        let [a, b, c] = self.normals.map(Vector3x4::splat);
-        let scale = Lanes::splat(self.scale);
+    #[inline(always)]
+    fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, _: u32) -> PacketHit<S> {
+        let simd = t.simd;
+        let geometric_normal = Vector3x4::splat(simd, self.geometric_normal);
+        let [a, b, c] = self.normals;
+        let a = Vector3x4::splat(simd, a);
+        let b = Vector3x4::splat(simd, b);
+        let c = Vector3x4::splat(simd, c);
+        let scale = splat(simd, self.scale);
         if self.is_flat() {
             return PacketHit {
                 t,
@@ -125,19 +129,15 @@ impl Primitive for Triangle {
                 scale,
             };
         }
-        let corners = Self::four([self; 4]);
-        let corners = corners
-            .each_ref()
-            .map(|corner| rays.sheared().sheared(corner));
+        let corners = sheared(&Self::four(simd, [self; 4]), rays);
         let [u, v, w] = edge_functions(&corners);
         let determinant = u + v + w;
         let (beta, gamma) = (v / determinant, w / determinant);
-        let mean = a * (Lanes::ONE - beta - gamma) + b * beta + c * gamma;
+        let mean = a * (1.0 - beta - gamma) + b * beta + c * gamma;
         let (mut normal, is_unit) = mean.normalized();
-        if !(is_unit | t.is_nan()).all() {
-            let (beta, gamma) = (beta.to_array(), gamma.to_array());
+        if !(is_unit | t.is_nan()).all_true() {
             let one = |lane: usize| self.interpolated_normal(beta[lane], gamma[lane]);
-            normal = Vector3x4::new([0, 1, 2, 3].map(one));
+            normal = Vector3x4::new(simd, [0, 1, 2, 3].map(one));
         }
         PacketHit {
             t,
@@ -148,9 +148,16 @@ impl Primitive for Triangle {
     }
 }
 
+/// The corners in the sheared spaces of the rays.
+#[inline(always)]
+fn sheared<S: Simd>([a, b, c]: &Corners<S>, rays: &Rays<S>) -> Corners<S> {
+    let rays = rays.sheared();
+    [rays.sheared(a), rays.sheared(b), rays.sheared(c)]
+}
+
 /// Twice the areas between the ray and the edges, seen along the ray.
-#[inline]
-fn edge_functions([a, b, c]: &[[Lanes; 3]; 3]) -> [Lanes; 3] {
+#[inline(always)]
+fn edge_functions<S: Simd>([a, b, c]: &Corners<S>) -> [Lanes<S>; 3] {
     [
         c[0] * b[1] - c[1] * b[0],
         a[0] * c[1] - a[1] * c[0],
@@ -160,10 +167,11 @@ fn edge_functions([a, b, c]: &[[Lanes; 3]; 3]) -> [Lanes; 3] {
 
 /// Whether all corners in sheared space lie on one side of the axis, in x or in y: then
 /// signs of areas that say otherwise come from rounding.
-#[inline]
-fn are_beside([a, b, c]: [[Lanes; 3]; 3]) -> Lanes {
-    let zero = Lanes::ZERO;
-    let above = |axis: usize| a[axis].fast_min(b[axis]).fast_min(c[axis]).simd_gt(zero);
-    let below = |axis: usize| a[axis].fast_max(b[axis]).fast_max(c[axis]).simd_lt(zero);
-    above(0) | below(0) | above(1) | below(1)
+#[inline(always)]
+fn are_beside<S: Simd>([a, b, c]: &Corners<S>) -> Mask<S> {
+    let right = a[0].simd_gt(0.0) & b[0].simd_gt(0.0) & c[0].simd_gt(0.0);
+    let left = a[0].simd_lt(0.0) & b[0].simd_lt(0.0) & c[0].simd_lt(0.0);
+    let above = a[1].simd_gt(0.0) & b[1].simd_gt(0.0) & c[1].simd_gt(0.0);
+    let below = a[1].simd_lt(0.0) & b[1].simd_lt(0.0) & c[1].simd_lt(0.0);
+    right | left | above | below
 }

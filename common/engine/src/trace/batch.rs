@@ -3,47 +3,62 @@
 use common::Color;
 
 use crate::accel::{NearestHits, NearestQuery, Occluder, ShadowQuery};
-use crate::lanes::{ColorPacket, RayPacket};
+use crate::lanes::{ColorPacket, RayPacket, Simd};
 use crate::shade::{IlluminationPacket, PhongPacket};
 
 /// Paths that are followed together.
-#[derive(Default)]
-pub(crate) struct Batch {
+pub(crate) struct Batch<S: Simd> {
+    /// The instructions for its lanes.
+    pub(super) simd: S,
     /// The last occluder of each light, also from the batch before.
     pub(super) occluders: Vec<Occluder>,
-    pub(super) paths: Vec<Path>,
-    pub(super) nearest: Vec<NearestQuery>,
+    pub(super) paths: Vec<Path<S>>,
+    pub(super) nearest: Vec<NearestQuery<S>>,
     /// The vertices of the paths that have hit anything.
-    pub(super) vertices: Vec<Vertex>,
+    pub(super) vertices: Vec<Vertex<S>>,
     /// The light of one source, and the index of the vertex that it may reach.
-    pub(super) light: Vec<(usize, IlluminationPacket)>,
-    pub(super) shadows: Vec<ShadowQuery>,
+    pub(super) light: Vec<(usize, IlluminationPacket<S>)>,
+    pub(super) shadows: Vec<ShadowQuery<S>>,
 }
 
 /// Four rays on their way from mirror to mirror.
-pub(super) struct Path {
-    pub rays: RayPacket,
+pub(super) struct Path<S: Simd> {
+    pub rays: RayPacket<S>,
     /// A bit for each ray that is followed further.
     pub active: u32,
     /// The light so far.
-    pub color: ColorPacket,
+    pub color: ColorPacket<S>,
     /// The product of the reflectances so far.
-    pub throughput: ColorPacket,
+    pub throughput: ColorPacket<S>,
 }
 
 /// The surfaces that the rays of a path have hit.
-pub(super) struct Vertex {
+pub(super) struct Vertex<S: Simd> {
     /// The index of the path.
     pub path: usize,
-    pub hits: NearestHits,
-    pub material: PhongPacket,
+    pub hits: NearestHits<S>,
+    pub material: PhongPacket<S>,
     /// The light that they scatter.
-    pub color: ColorPacket,
+    pub color: ColorPacket<S>,
 }
 
-impl Batch {
+impl<S: Simd> Batch<S> {
+    /// A batch without paths.
+    pub fn new(simd: S) -> Self {
+        Self {
+            simd,
+            occluders: Vec::new(),
+            paths: Vec::new(),
+            nearest: Vec::new(),
+            vertices: Vec::new(),
+            light: Vec::new(),
+            shadows: Vec::new(),
+        }
+    }
+
     /// Starts with the first `count` rays of some packets, in a scene of this many lights.
-    pub(super) fn start(&mut self, packets: &[RayPacket], count: usize, lights: usize) {
+    #[inline(always)]
+    pub(super) fn start(&mut self, packets: &[RayPacket<S>], count: usize, lights: usize) {
         self.occluders.resize(lights, None);
         self.paths.clear();
         let first = (0..count).step_by(4);
@@ -51,8 +66,8 @@ impl Batch {
             .extend(packets.iter().zip(first).map(|(rays, first)| Path {
                 rays: *rays,
                 active: (1 << (count - first).min(4)) - 1,
-                color: ColorPacket::splat(Color::BLACK),
-                throughput: ColorPacket::splat(Color::WHITE),
+                color: ColorPacket::splat(self.simd, Color::BLACK),
+                throughput: ColorPacket::splat(self.simd, Color::WHITE),
             }));
     }
 

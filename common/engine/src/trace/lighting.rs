@@ -3,11 +3,12 @@
 
 use common::steps::{self, StepKind};
 use common::{Color, Omission};
+use fearless_simd::prelude::*;
 
 use super::batch::{Batch, Vertex};
 use super::{Tracer, offset_rays};
 use crate::accel::{NearestHits, ShadowQuery};
-use crate::lanes::{ColorPacket, Lanes, RayPacket, bits};
+use crate::lanes::{ColorPacket, RayPacket, bits, bits_of};
 use crate::shade::PhongPacket;
 use crate::{Phong, Shading};
 
@@ -20,8 +21,8 @@ const BLACK: Phong = Phong {
 
 impl Tracer<'_> {
     /// The vertex of a path, under ambient light.
-    #[inline]
-    pub(super) fn vertex(&self, path: usize, hits: &NearestHits) -> Vertex {
+    #[inline(always)]
+    pub(super) fn vertex<S: Simd>(&self, path: usize, hits: &NearestHits<S>) -> Vertex<S> {
         let material = self.material(hits);
         Vertex {
             path,
@@ -32,16 +33,17 @@ impl Tracer<'_> {
     }
 
     /// Phong's materials of the surfaces; the others are black.
-    #[inline]
-    fn material(&self, hits: &NearestHits) -> PhongPacket {
+    #[inline(always)]
+    fn material<S: Simd>(&self, hits: &NearestHits<S>) -> PhongPacket<S> {
+        let simd = hits.hit.t.simd;
         let material = |index| match self.shading(index) {
             Shading::Phong(phong) => phong,
             _ => &BLACK,
         };
         if hits.is_one_surface() {
-            return PhongPacket::splat(material(hits.surfaces[0]));
+            return PhongPacket::splat(simd, material(hits.surfaces[0]));
         }
-        PhongPacket::new(hits.surfaces.map(material))
+        PhongPacket::new(simd, hits.surfaces.map(material))
     }
 
     #[inline]
@@ -50,7 +52,8 @@ impl Tracer<'_> {
     }
 
     /// Adds the light of all sources to the vertices.
-    pub(super) fn light(&self, batch: &mut Batch) {
+    #[inline(always)]
+    pub(super) fn light<S: Simd>(&self, batch: &mut Batch<S>) {
         for i in 0..self.lights.len() {
             self.light_of(i, batch);
         }
@@ -60,7 +63,8 @@ impl Tracer<'_> {
     }
 
     /// Adds the light of source `i`.
-    fn light_of(&self, i: usize, batch: &mut Batch) {
+    #[inline(always)]
+    fn light_of<S: Simd>(&self, i: usize, batch: &mut Batch<S>) {
         let source = &self.lights[i];
         let sends_rays = source.casts_shadows || !self.omits(Omission::LightsWithoutShadows);
         let ends_at_first = self.omits(Omission::FartherOccluders);
@@ -85,9 +89,9 @@ impl Tracer<'_> {
                 continue;
             }
             let mut of_source = source.illuminate(rays.at(hit.t), responding);
-            let facing = hit.normal.dot(of_source.direction).simd_gt(Lanes::ZERO);
+            let facing = hit.normal.dot(of_source.direction).simd_gt(0.0);
             if self.omits(Omission::LightsBehind) {
-                of_source.lit &= facing.to_bitmask();
+                of_source.lit &= bits_of(facing);
             }
             if of_source.lit == 0 {
                 continue;
@@ -121,8 +125,9 @@ impl Tracer<'_> {
     }
 
     /// Replaces the light of surfaces that are not Phong's.
-    #[inline]
-    fn shade_others(&self, rays: &RayPacket, vertex: &mut Vertex) {
+    #[inline(always)]
+    fn shade_others<S: Simd>(&self, rays: &RayPacket<S>, vertex: &mut Vertex<S>) {
+        let simd = rays.simd();
         let hits = &vertex.hits;
         let is_phong = |surface: &u32| matches!(self.shading(*surface), Shading::Phong(_));
         if hits.surfaces.iter().all(is_phong) {
@@ -137,6 +142,6 @@ impl Tracer<'_> {
                 Shading::Other(color) => colors[lane] = color(&rays[lane], &of_lanes[lane]),
             }
         }
-        vertex.color = ColorPacket::new(colors);
+        vertex.color = ColorPacket::new(simd, colors);
     }
 }

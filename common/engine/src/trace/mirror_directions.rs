@@ -3,18 +3,19 @@
 //! (Keller et al., The Iray Light Transport Simulation and Rendering System, 2017: a shading
 //! normal is bent where the reflected ray would go into the surface.)
 
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use crate::Hit;
-use crate::lanes::{Lanes, OFFSET, PacketHit, RayPacket, Vector3x4, bits};
+use crate::lanes::{OFFSET, PacketHit, RayPacket, Vector3x4, bits, bits_of};
 use crate::vector::normalized;
 
 /// The directions, of length 1, in which the surfaces at four hits mirror the rays.
-#[inline]
-pub(super) fn mirror_directions(rays: &RayPacket, hit: &PacketHit) -> Vector3x4 {
+#[inline(always)]
+pub(super) fn mirror_directions<S: Simd>(rays: &RayPacket<S>, hit: &PacketHit<S>) -> Vector3x4<S> {
+    let simd = rays.simd();
     let reflected = (-rays.direction).reflected_on(hit.normal);
-    let into_surface = reflected.dot(hit.geometric_normal).simd_lt(Lanes::ZERO);
-    let into_surface = into_surface.to_bitmask();
+    let into_surface = bits_of(reflected.dot(hit.geometric_normal).simd_lt(0.0));
     if into_surface == 0 {
         return reflected;
     }
@@ -23,7 +24,7 @@ pub(super) fn mirror_directions(rays: &RayPacket, hit: &PacketHit) -> Vector3x4 
     for lane in bits(into_surface) {
         directions[lane] = along_the_surface(-rays[lane].direction, &hits[lane]);
     }
-    Vector3x4::new(directions)
+    Vector3x4::new(simd, directions)
 }
 
 /// The direction along the surface in the plane of the shading normal and of `e`, which points to

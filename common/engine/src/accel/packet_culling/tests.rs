@@ -6,6 +6,7 @@ use crate::accel::bvh_build;
 use crate::accel::ids::{Kind, Leaf, ShapeId};
 use crate::accel::slabs::WIDTH;
 use crate::accel::slabs::tests::{TO_THE_RIGHT, ray, space, space_of};
+use crate::lanes::level::baseline;
 use crate::shape::Bounds;
 
 use super::*;
@@ -28,7 +29,7 @@ fn packets_are_culled_at_their_own_ends() {
         max: [x + 1.0, 1.0, 1.0],
     };
     let node = node(&[1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0].map(ahead));
-    let packet = RayPacket::new([&ray(0.0, TO_THE_RIGHT); 4]);
+    let packet = RayPacket::new(baseline(), [&ray(0.0, TO_THE_RIGHT); 4]);
     let packets = [&packet; 10];
     let bundle = Bundle::new(&space(), &packets, 1.0).unwrap();
     let slabs = PacketSlabs::new(&space(), &bundle, &packets);
@@ -54,7 +55,7 @@ fn packets_are_culled_at_their_own_ends() {
 fn with_triangles_a_bundle_needs_a_dominant_axis() {
     let near = [[0.71, 0.7, 0.0], [0.7, 0.71, 0.0]].map(|direction| ray(0.0, direction));
     let [a, b] = near.each_ref();
-    let packet = RayPacket::new([a, b, a, b]);
+    let packet = RayPacket::new(baseline(), [a, b, a, b]);
     let is_bundle = |is_exact, active| {
         let rays = packet.filled(active);
         Bundle::new(&space_of(is_exact), &[&rays], 1.0).is_some()
@@ -68,7 +69,7 @@ fn with_triangles_a_bundle_needs_a_dominant_axis() {
 fn rays_that_go_apart_are_no_bundle() {
     let is_bundle = |directions: [[f64; 3]; 2], origins: [f64; 2], active| {
         let rays = [0, 1].map(|i| ray(origins[i], directions[i]));
-        let packet = RayPacket::new([&rays[0], &rays[1], &rays[0], &rays[1]]);
+        let packet = RayPacket::new(baseline(), [&rays[0], &rays[1], &rays[0], &rays[1]]);
         let rays = packet.filled(active);
         Bundle::new(&space(), &[&rays], 0.25).is_some()
     };
@@ -90,7 +91,7 @@ fn rays_that_go_apart_are_no_bundle() {
 fn assert_all_meet(directions: &[[f64; 3]]) {
     let rays: Vec<_> = directions.iter().map(|d| ray(0.0, *d)).collect();
     let packets: Vec<_> = (0..10)
-        .map(|i| RayPacket::new([&rays[i % rays.len()]; 4]))
+        .map(|i| RayPacket::new(baseline(), [&rays[i % rays.len()]; 4]))
         .collect();
     let packets: Vec<_> = packets.iter().collect();
     let bundle = Bundle::new(&space(), &packets, 1.0).unwrap();
@@ -101,9 +102,7 @@ fn assert_all_meet(directions: &[[f64; 3]]) {
     let node = node(&[0.0, 2.0, -2.0, 0.0, 2.0, -2.0, 0.0, 2.0].map(ahead));
     let mut t_max = [f32::NEG_INFINITY; PACKETS];
     t_max[..packets.len()].fill(f32::INFINITY);
-    let (_, entered) = bundle
-        .all
-        .intersect(&node.planes, f32x8::splat(f32::INFINITY));
+    let (_, entered) = bundle.all.intersect(&node.planes, f32::INFINITY);
     assert_eq!(entered, 0b0100_1001, "{directions:?}");
     let slabs = PacketSlabs::new(&space(), &bundle, &packets);
     for (child, expected) in [(0, 0b11_1111_1111), (1, 0), (2, 0)] {
@@ -150,12 +149,15 @@ fn rays_that_are_not_finite_are_in_no_bundle() {
             } else {
                 bad.direction[place - 3] = number;
             }
-            assert!(Slabs::of_ray(&space(), &bad).is_none(), "{bad:?}");
+            assert!(
+                Slabs::of_ray(baseline(), &space(), &bad).is_none(),
+                "{bad:?}"
+            );
             for packet in 0..6 {
                 for lane in 0..4 {
                     let rays = [0, 1, 2, 3].map(|i| if i == lane { &bad } else { &good });
-                    let mut packets = [RayPacket::new([&good; 4]); 6];
-                    packets[packet] = RayPacket::new(rays);
+                    let mut packets = [RayPacket::new(baseline(), [&good; 4]); 6];
+                    packets[packet] = RayPacket::new(baseline(), rays);
                     let bundle = Bundle::new(&space(), &packets.each_ref(), 1.0);
                     assert!(bundle.is_none(), "{bad:?} in lane {lane} of {packet}");
                 }

@@ -3,6 +3,7 @@
 use crate::accel::packet_culling::Bundle;
 use crate::accel::tree_space::TreeBounds;
 use crate::lanes::RayPacket;
+use crate::lanes::level::baseline;
 use crate::shape::Bounds;
 
 use super::*;
@@ -34,8 +35,8 @@ fn lengths_are_those_of_the_tree_and_slabs_are_wider() {
     const SLACK: f32 = super::SLACK as f32;
     assert_eq!(space().t_max(8.0), 4.0 + 4.0 * SLACK);
     let planes = |ray| {
-        let [x, y, _] = Slabs::of_ray(&space(), &ray).unwrap().axes;
-        [x.near, x.far, y.near].map(|lanes| lanes.to_array()[7])
+        let [x, y, _] = Slabs::of_ray(baseline(), &space(), &ray).unwrap().axes;
+        [x.near, x.far, y.near].map(|lanes| lanes[7])
     };
     // Twice the slack of the largest number, which is 2, and at least of 1.
     let expected = [-2.0 + 4.0 * SLACK, -2.0 - 4.0 * SLACK, 4.0 * SLACK];
@@ -47,7 +48,7 @@ fn lengths_are_those_of_the_tree_and_slabs_are_wider() {
 /// Each of the two reasons counts alone.
 #[test]
 fn a_ray_beyond_single_precision_has_no_slabs() {
-    let holds = |x, direction| Slabs::of_ray(&space(), &ray(x, direction)).is_some();
+    let holds = |x, direction| Slabs::of_ray(baseline(), &space(), &ray(x, direction)).is_some();
     assert!(holds(2e30, TO_THE_RIGHT));
     assert!(!holds(2e30_f64.next_up(), TO_THE_RIGHT));
     // Of squared length 1/2 and 2.
@@ -66,7 +67,8 @@ fn triangles_may_be_hit_anywhere_along_the_dominant_axis() {
         max: [1.6, 0.9, 1.0],
     };
     let TreeBounds { min, max } = space().bounds(bounds, 0.0);
-    let planes = [0, 1, 2].map(|axis| [min[axis], max[axis]].map(f32x8::splat));
+    let simd = baseline();
+    let planes = [0, 1, 2].map(|axis| [min[axis], max[axis]]);
     for is_exact in [true, false] {
         let space = space_of(is_exact);
         for (start, t_max, is_hit) in [
@@ -80,12 +82,12 @@ fn triangles_may_be_hit_anywhere_along_the_dominant_axis() {
             let direction = DVec3::new(0.8, 0.6, 0.0);
             let origin = direction * start;
             let ray = Ray { origin, direction };
-            let t_max = f32x8::splat(space.t_max(t_max));
-            let (_, alone) = Slabs::of_ray(&space, &ray)
+            let t_max = space.t_max(t_max);
+            let (_, alone) = Slabs::of_ray(simd, &space, &ray)
                 .unwrap()
                 .intersect(&planes, t_max);
             assert_eq!(alone != 0, is_hit, "{start}, exact: {is_exact}");
-            let packet = RayPacket::new([&ray; 4]);
+            let packet = RayPacket::new(simd, [&ray; 4]);
             let bundle = Bundle::new(&space, &[&packet], 1.0).unwrap();
             let (_, together) = bundle.all.intersect(&planes, t_max);
             assert_eq!(together, alone);

@@ -1,0 +1,69 @@
+//! The engine draws all scenes of the course with the instructions that each processor has as with the
+//! best of this one: the locked pictures, and small ones of random and of adaptive samples. So it does the
+//! scene files of this stage, small.
+
+use std::fs;
+use std::path::Path;
+
+use a07_transforms::stage;
+use common::{Renderer, Sampling, Scene, Settings, Size};
+
+fn check(scene: &Scene, settings: &Settings) {
+    let settings = Settings {
+        renderer: Renderer::Engine,
+        ..settings.clone()
+    };
+    let render = || scene.render(&settings, &()).unwrap();
+    let is_same = render() == ::engine::at_baseline(render);
+    assert!(is_same, "{} differs", scene.name);
+}
+
+fn check_small(scene: &Scene) {
+    let random = Settings {
+        size: Size::new(96, 72).unwrap(),
+        samples: 3,
+        sampling: Sampling::Random,
+        seed: 5,
+        depth: 3,
+        ..scene.defaults.clone()
+    };
+    let adaptive = Settings {
+        samples: 64,
+        max_error: Some(1.0 / 255.0),
+        ..random.clone()
+    };
+    check(scene, &random);
+    check(scene, &adaptive);
+}
+
+#[test]
+fn all_instruction_sets_draw_the_locked_pictures() {
+    let stages = [
+        a03_rays_cameras::stage(),
+        a04_intersections::stage(),
+        a05_lighting::stage(),
+        a06_shadows_reflection::stage(),
+        stage(),
+    ];
+    for stage in &stages {
+        for scene in &stage.scenes {
+            check(scene, &scene.defaults);
+            check_small(scene);
+        }
+    }
+}
+
+#[test]
+fn all_instruction_sets_draw_the_same_pictures_of_scene_files() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let open = stage().open.unwrap();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "toml")
+        {
+            check_small(&open(&path).unwrap());
+        }
+    }
+}
