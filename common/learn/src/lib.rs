@@ -8,6 +8,7 @@
 mod book;
 mod build;
 mod check_all;
+mod corpus;
 mod editor;
 pub mod exercise;
 pub mod files;
@@ -80,6 +81,8 @@ enum Command {
     Hint(OrNext),
     /// Checks an exercise once
     Check(Check),
+    /// Asks your shapes the rays that broke ray tracers
+    Corpus,
     /// Builds the book with your pictures in it
     Book,
     /// Begins an exercise again, and keeps your file
@@ -121,6 +124,7 @@ fn run() -> Result<String, String> {
             Some(e) => check(e),
             None => Ok(ALL_DONE.to_owned()),
         },
+        Some(Command::Corpus) => ask_corpus(course),
         Some(Command::Book) => book::build(course),
         Some(Command::Reset(shown)) => match chosen_or_next(&shown, course) {
             Some(e) => files::reset(e),
@@ -179,6 +183,24 @@ fn check_all(course: &[Exercise]) -> Result<String, String> {
     } else {
         Err(all.to_string())
     }
+}
+
+/// Asks the student's shapes the corpus of ray failures.
+fn ask_corpus(course: &[Exercise]) -> Result<String, String> {
+    let mut progress = Progress::read();
+    let mut status = Status::new();
+    let words = corpus::ask(
+        course,
+        &mut progress,
+        Screen::new().space(),
+        &mut |phase, elapsed| {
+            status.show("", phase, elapsed);
+            true
+        },
+    );
+    drop(status);
+    warn(&progress);
+    Ok(Screen::new().wrap(&words?))
 }
 
 /// Says that the verdict is not kept, if so.
