@@ -8,18 +8,21 @@ mod edge;
 mod margins;
 mod response;
 mod slope;
+mod without_effect;
 
+use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use crate::steps::StepKind;
-use crate::{Error, Progress, Renderer, Settings, Traced};
+use crate::{Error, PixelTrace, Progress, Renderer, Settings, Traced};
 
 pub use edge::Edge;
 pub use margins::{Margin, margins};
 pub use response::Response;
+use without_effect::effective;
 
 /// The channels of a linear colour.
 pub type Channels = [f64; 3];
@@ -151,31 +154,43 @@ pub fn influences(
         ..settings.clone()
     };
     let footprint = scene.footprint(settings, Some(pixel))?;
-    let tried = AtomicUsize::new(0);
+    let Some(center) = State::of(&scene.trace(settings, pixel)?) else {
+        let reason = "its pixel is no finite colour";
+        let response = Response::Fixed(reason.to_owned());
+        return Ok(with_response(numbers, |_| response.clone()));
+    };
     progress.done(0.0);
-    let influences = numbers.par_iter().map(|number| {
+    let moved = numbers.iter().filter(|number| number.unit != Unit::Whole);
+    let moved = moved.map(|number| Moved::new(scene, settings, pixel, number, footprint));
+    let effective = effective(&center, moved.collect(), progress);
+    let tried = AtomicUsize::new(0);
+    let responses = effective.par_iter().map(|moved| {
         if progress.stopped() {
             return Err(Error::Stopped);
         }
-        let response = match number.unit {
-            Unit::Whole => Response::Whole,
-            unit => {
-                let at = Moved {
-                    scene,
-                    settings,
-                    pixel,
-                    number,
-                    moves_things: !matches!(unit, Unit::Channel | Unit::Factor),
-                };
-                Response::of(number.value, at.reach(footprint), &at)
-            }
-        };
+        let number = moved.number;
+        let response = Response::of(number.value, moved.reach, &center, moved);
         let tried = 1 + tried.fetch_add(1, Ordering::Relaxed);
-        progress.done(tried as f64 / numbers.len() as f64);
-        Ok(Influence {
-            number: number.clone(),
-            response,
-        })
+        progress.done(tried as f64 / effective.len() as f64);
+        Ok(((number.at, number.index), response))
+    });
+    let responses: HashMap<_, _> = responses.collect::<Result<_, Error>>()?;
+    Ok(with_response(numbers, |number| match number.unit {
+        Unit::Whole => Response::Whole,
+        _ => {
+            let found = responses.get(&(number.at, number.index));
+            found.cloned().unwrap_or(Response::None)
+        }
+    }))
+}
+
+fn with_response(
+    numbers: &[NumberPlace],
+    response: impl Fn(&NumberPlace) -> Response,
+) -> Vec<Influence> {
+    let influences = numbers.iter().map(|number| Influence {
+        number: number.clone(),
+        response: response(number),
     });
     influences.collect()
 }
@@ -197,6 +212,16 @@ struct State {
     margins: Vec<Margin>,
 }
 
+impl State {
+    /// The state of a trace; none where it has no finite colour.
+    fn of(trace: &PixelTrace) -> Option<Self> {
+        trace.color.is_finite().then(|| Self {
+            color: trace.color.channels(),
+            margins: margins(&trace.steps),
+        })
+    }
+}
+
 /// A pixel of a scene file.
 struct Moved<'a> {
     scene: &'a dyn Traced,
@@ -205,25 +230,66 @@ struct Moved<'a> {
     number: &'a NumberPlace,
     /// Whether another value moves things: a colour changes no decision.
     moves_things: bool,
+    /// How far edges are looked for.
+    reach: f64,
 }
 
-impl Moved<'_> {
-    /// How far edges are looked for.
-    ///
-    /// A camera may turn far more than the footprint tells: towards a point near the eye. So its ray
-    /// is compared with that of a camera that has moved a little.
-    fn reach(&self, footprint: Footprint) -> f64 {
-        let reach = footprint.reach(self.number, PIXEL);
-        let (value, little) = (self.number.value, reach / 1024.0);
+impl<'a> Moved<'a> {
+    fn new(
+        scene: &'a dyn Traced,
+        settings: &'a Settings,
+        pixel: [u32; 2],
+        number: &'a NumberPlace,
+        footprint: Footprint,
+    ) -> Self {
+        let mut moved = Self {
+            scene,
+            settings,
+            pixel,
+            number,
+            moves_things: !matches!(number.unit, Unit::Channel | Unit::Factor),
+            reach: footprint.reach(number, PIXEL),
+        };
+        moved.limit_reach(footprint);
+        moved
+    }
+
+    /// Shortens the reach where half a pixel is less. A camera may turn far more than the footprint
+    /// tells: towards a point near the eye. So its ray is compared with that of a camera that has moved
+    /// a little.
+    fn limit_reach(&mut self, footprint: Footprint) {
+        let (value, little) = (self.number.value, self.reach / 1024.0);
         let distance = footprint.width / footprint.angle;
         let seen = [value, value + little].map(|value| self.camera_ray_at(value, distance));
         let [Some(before), Some(after)] = seen else {
-            return reach;
+            return;
         };
         let moved = minus(after, before);
         let moved = (moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]).sqrt();
         let longest = PIXEL * footprint.width / moved * little;
-        if longest < reach { longest } else { reach }
+        if longest < self.reach {
+            self.reach = longest;
+        }
+    }
+
+    /// The scene with a value of the number; none if it is not allowed.
+    fn scene_at(&self, value: f64) -> Option<Box<dyn Traced>> {
+        self.scene.with(self.settings, self.number, value)
+    }
+
+    /// The colour of the pixel in a scene; none if it is not finite.
+    fn color_in(&self, scene: &dyn Traced) -> Option<Channels> {
+        let color = scene.color(self.settings, self.pixel).ok()?;
+        color.is_finite().then(|| color.channels())
+    }
+
+    /// The pixel in a scene; without margins if the number moves nothing.
+    fn state_in(&self, scene: &dyn Traced) -> Option<State> {
+        if !self.moves_things {
+            let (color, margins) = (self.color_in(scene)?, Vec::new());
+            return Some(State { color, margins });
+        }
+        State::of(&scene.trace(self.settings, self.pixel).ok()?)
     }
 
     /// The point on the first ray of the pixel at this distance.
@@ -231,8 +297,8 @@ impl Moved<'_> {
         if self.number.table != "[camera]" {
             return None;
         }
-        let moved = self.scene.with(self.settings, self.number, value)?;
-        let trace = moved.trace(self.settings, self.pixel).ok()?;
+        let trace = self.scene_at(value)?.trace(self.settings, self.pixel);
+        let trace = trace.ok()?;
         let mut steps = trace.steps.iter();
         let ray = steps.find(|step| step.kind == StepKind::CameraRay)?;
         let (o, d): ([f64; 3], [f64; 3]) = (ray.value("o")?, ray.value("d")?);
@@ -242,22 +308,11 @@ impl Moved<'_> {
 
 impl Pixel for Moved<'_> {
     fn color(&self, value: f64) -> Option<Channels> {
-        let moved = self.scene.with(self.settings, self.number, value)?;
-        let color = moved.color(self.settings, self.pixel).ok()?;
-        color.is_finite().then(|| color.channels())
+        self.color_in(&*self.scene_at(value)?)
     }
 
     fn state(&self, value: f64) -> Option<State> {
-        if !self.moves_things {
-            let (color, margins) = (self.color(value)?, Vec::new());
-            return Some(State { color, margins });
-        }
-        let moved = self.scene.with(self.settings, self.number, value)?;
-        let trace = moved.trace(self.settings, self.pixel).ok()?;
-        trace.color.is_finite().then(|| State {
-            color: trace.color.channels(),
-            margins: margins(&trace.steps),
-        })
+        self.state_in(&*self.scene_at(value)?)
     }
 }
 

@@ -77,11 +77,7 @@ pub(super) fn side(value: f64, center: &State, far: (f64, State), pixel: &dyn Pi
                 probes.push(Probe { offset, state });
             }
         }
-        let scale = magnitude(center.color);
-        side.changes |= probes.iter().any(|probe| {
-            let change = difference(probe.state.color, center.color);
-            change > ROUNDING * scale.max(magnitude(probe.state.color))
-        });
+        side.changes |= probes.iter().any(|probe| changes(center, &probe.state));
         let Some(edge) = search.nearest_edge(&probes, &mut side.bend) else {
             break;
         };
@@ -93,6 +89,12 @@ pub(super) fn side(value: f64, center: &State, far: (f64, State), pixel: &dyn Pi
         }
     }
     side
+}
+
+/// Whether the colours of two states differ by more than rounding.
+pub(super) fn changes(a: &State, b: &State) -> bool {
+    let scale = magnitude(a.color).max(magnitude(b.color));
+    difference(a.color, b.color) > ROUNDING * scale
 }
 
 /// A search for places at which margins change their sign.
@@ -110,11 +112,21 @@ struct Bracket {
     ends: [(f64, f64); 2],
 }
 
+impl Bracket {
+    /// The least distance at which the margin may change its sign: a quarter of the bracket before
+    /// the root of the line through its ends.
+    fn nearest(&self) -> f64 {
+        let [near, far] = self.ends;
+        let fraction = near.1 / (near.1 - far.1);
+        let fraction = if fraction.is_finite() { fraction } else { 0.0 };
+        (near.0 + (fraction - 0.25).max(0.0) * (far.0 - near.0)).abs()
+    }
+}
+
 impl Search<'_> {
     /// The nearest edge between the probes; `bend` becomes the nearest place of a bend.
     fn nearest_edge(&self, probes: &[Probe], bend: &mut Option<f64>) -> Option<Edge> {
-        let nearest_first =
-            |a: &Bracket, b: &Bracket| a.ends[0].0.abs().total_cmp(&b.ends[0].0.abs());
+        let nearest_first = |a: &Bracket, b: &Bracket| a.nearest().total_cmp(&b.nearest());
         let mut brackets = self.brackets(probes);
         brackets.sort_by(nearest_first);
         brackets.truncate(DECISIONS);
@@ -123,7 +135,7 @@ impl Search<'_> {
         let mut nearest: Option<Edge> = None;
         for bracket in brackets {
             let limit = nearest.map_or(f64::INFINITY, |edge| edge.distance.abs());
-            if bracket.ends[0].0.abs() >= limit {
+            if bracket.nearest() >= limit {
                 break;
             }
             let offset = self.root(&bracket);
@@ -288,19 +300,19 @@ fn bracket(margin: &Margin, ends: [(f64, f64); 2]) -> Bracket {
     }
 }
 
-fn margin_of(state: &State, decision: u64) -> Option<f64> {
+pub(super) fn margin_of(state: &State, decision: u64) -> Option<f64> {
     let margins = &state.margins;
     let found = margins.binary_search_by_key(&decision, |margin| margin.decision);
     found.ok().map(|index| margins[index].value)
 }
 
 /// Whether two margins decide differently; 0 decides as numbers above it do.
-fn differ(a: f64, b: f64) -> bool {
+pub(super) fn differ(a: f64, b: f64) -> bool {
     (a >= 0.0) != (b >= 0.0)
 }
 
 /// The vertex of the parabola through three points.
-fn vertex([(x0, y0), (x1, y1), (x2, y2)]: [(f64, f64); 3]) -> Option<(f64, f64)> {
+pub(super) fn vertex([(x0, y0), (x1, y1), (x2, y2)]: [(f64, f64); 3]) -> Option<(f64, f64)> {
     let slope = (y1 - y0) / (x1 - x0);
     let curvature = ((y2 - y0) / (x2 - x0) - slope) / (x2 - x1);
     let x = f64::midpoint(x0, x1) - slope / (2.0 * curvature);

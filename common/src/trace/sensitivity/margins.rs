@@ -69,7 +69,7 @@ impl Walk {
             StepKind::Test => self.add_test(step, number),
             StepKind::Hit => self.add_hit(step),
             StepKind::Light => {
-                (self.ray, self.end) = (part(part(self.path, LIGHT), number), None);
+                self.begin_ray(part(part(self.path, LIGHT), number));
                 self.add_all(self.ray, &step.margins);
                 if let Some([cosine]) = step.value("n·l") {
                     self.push(part(self.ray, SIDE), cosine, true);
@@ -88,9 +88,15 @@ impl Walk {
     /// Goes on with a ray of the path.
     fn follow(&mut self, kind: usize) {
         self.path = part(self.path, kind);
-        (self.ray, self.end) = (self.path, None);
+        self.begin_ray(self.path);
         self.hits.clear();
         self.nearest = 0;
+    }
+
+    /// The tests that follow are of this ray.
+    fn begin_ray(&mut self, ray: u64) {
+        (self.ray, self.end) = (ray, None);
+        self.around.clear();
     }
 
     fn add_test(&mut self, step: &Step, number: usize) {

@@ -49,15 +49,12 @@ const LARGEST_ERROR: f64 = 2e-6;
 const TURNING: f64 = 0.1;
 
 impl Response {
-    /// How a colour changes with a number of this value. Edges are looked for up to the distance
-    /// `reach`.
-    pub(super) fn of(value: f64, reach: f64, pixel: &dyn Pixel) -> Self {
-        let Some(center) = pixel.state(value) else {
-            return Self::Fixed("its pixel is no finite colour".to_owned());
-        };
+    /// How a colour changes with a number of this value, at which its state is `center`. Edges are
+    /// looked for up to the distance `reach`.
+    pub(super) fn of(value: f64, reach: f64, center: &State, pixel: &dyn Pixel) -> Self {
         let sides = [-reach, reach].map(|reach| {
             let far = farthest(value, reach, pixel)?;
-            Some(side(value, &center, far, pixel))
+            Some(side(value, center, far, pixel))
         });
         let known: Vec<_> = sides.iter().flatten().collect();
         if known.is_empty() {
@@ -73,15 +70,15 @@ impl Response {
         }
         let slope = match &sides {
             [Some(below), Some(above)] => {
-                match slope_between(value, &center, [below, above], pixel) {
+                match slope_between(value, center, [below, above], pixel) {
                     Ok(slope) => slope,
                     Err(kink) => return kink,
                 }
             }
-            [Some(side), None] | [None, Some(side)] => slope_beside(value, &center, side, pixel),
+            [Some(side), None] | [None, Some(side)] => slope_beside(value, center, side, pixel),
             [None, None] => None,
         };
-        told(slope, &center, &known)
+        told(slope, center, &known)
     }
 
     /// How strong it is, to compare it with others: first whether it is an edge, then the largest
