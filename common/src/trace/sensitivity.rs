@@ -175,12 +175,12 @@ pub fn influences(
         Ok(((number.at, number.index), response))
     });
     let responses: HashMap<_, _> = responses.collect::<Result<_, Error>>()?;
-    Ok(with_response(numbers, |number| match number.unit {
-        Unit::Whole => Response::Whole,
-        _ => {
-            let found = responses.get(&(number.at, number.index));
-            found.cloned().unwrap_or(Response::None)
+    Ok(with_response(numbers, |number| {
+        if number.unit == Unit::Whole {
+            return Response::Whole;
         }
+        let found = responses.get(&(number.at, number.index));
+        found.cloned().unwrap_or(Response::None)
     }))
 }
 
