@@ -99,9 +99,10 @@ fn an_idle_window_has_one_thread_and_sleeps() {
             .find_map(|line| line.strip_prefix("voluntary_ctxt_switches:"));
         line.unwrap().trim().parse().unwrap()
     };
-    // Without the keyboard, 10 times in a second, and twice for a request to the display.
+    // Without the keyboard and two seconds after the last movement of the mouse, 10 times in a second,
+    // and twice for a request to the display.
     window.act("windowunmap --sync WINDOW");
-    thread::sleep(Duration::from_secs(1));
+    thread::sleep(Duration::from_secs(3));
     let before = waits();
     thread::sleep(Duration::from_secs(2));
     let waited = waits() - before;
