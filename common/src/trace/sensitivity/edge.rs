@@ -4,6 +4,7 @@
 //! where it changes its sign, also twice between two of them: a thing that is far thinner than a
 //! pixel is found. Where it changes its sign, the colours on both sides are asked whether they jump.
 
+use super::bracket::{Bracket, differ, margin_of, vertex};
 use super::{Channels, Margin, Pixel, State, difference, magnitude, minus};
 
 /// A place beside the value of a number at which the colour jumps.
@@ -104,25 +105,6 @@ struct Search<'a> {
     pixel: &'a dyn Pixel,
 }
 
-/// A decision that changes between two displacements.
-struct Bracket {
-    decision: u64,
-    bends: bool,
-    /// The displacements, the nearer one first, and the margins there.
-    ends: [(f64, f64); 2],
-}
-
-impl Bracket {
-    /// The least distance at which the margin may change its sign: a quarter of the bracket before
-    /// the root of the line through its ends.
-    fn nearest(&self) -> f64 {
-        let [near, far] = self.ends;
-        let fraction = near.1 / (near.1 - far.1);
-        let fraction = if fraction.is_finite() { fraction } else { 0.0 };
-        (near.0 + (fraction - 0.25).max(0.0) * (far.0 - near.0)).abs()
-    }
-}
-
 impl Search<'_> {
     /// The nearest edge between the probes; `bend` becomes the nearest place of a bend.
     fn nearest_edge(&self, probes: &[Probe], bend: &mut Option<f64>) -> Option<Edge> {
@@ -169,12 +151,12 @@ impl Search<'_> {
                 };
                 let ends = [(near.offset, margin.value), (far.offset, at_far)];
                 if differ(margin.value, at_far) {
-                    brackets.push(bracket(margin, ends));
+                    brackets.push(Bracket::new(margin, ends));
                 } else if let Some(at_third) = margin_of(&third.state, margin.decision)
                     && let Some(peak) = self.peak(margin, ends, (third.offset, at_third))
                 {
-                    brackets.push(bracket(margin, [ends[0], peak]));
-                    brackets.push(bracket(margin, [peak, ends[1]]));
+                    brackets.push(Bracket::new(margin, [ends[0], peak]));
+                    brackets.push(Bracket::new(margin, [peak, ends[1]]));
                 }
             }
         }
@@ -290,32 +272,4 @@ impl Search<'_> {
     fn margin(&self, offset: f64, decision: u64) -> Option<f64> {
         margin_of(&self.pixel.state(self.value + offset)?, decision)
     }
-}
-
-fn bracket(margin: &Margin, ends: [(f64, f64); 2]) -> Bracket {
-    Bracket {
-        decision: margin.decision,
-        bends: margin.bends,
-        ends,
-    }
-}
-
-pub(super) fn margin_of(state: &State, decision: u64) -> Option<f64> {
-    let margins = &state.margins;
-    let found = margins.binary_search_by_key(&decision, |margin| margin.decision);
-    found.ok().map(|index| margins[index].value)
-}
-
-/// Whether two margins decide differently; 0 decides as numbers above it do.
-pub(super) fn differ(a: f64, b: f64) -> bool {
-    (a >= 0.0) != (b >= 0.0)
-}
-
-/// The vertex of the parabola through three points.
-pub(super) fn vertex([(x0, y0), (x1, y1), (x2, y2)]: [(f64, f64); 3]) -> Option<(f64, f64)> {
-    let slope = (y1 - y0) / (x1 - x0);
-    let curvature = ((y2 - y0) / (x2 - x0) - slope) / (x2 - x1);
-    let x = f64::midpoint(x0, x1) - slope / (2.0 * curvature);
-    let y = y0 + (x - x0) * (slope + (x - x1) * curvature);
-    (x.is_finite() && y.is_finite()).then_some((x, y))
 }

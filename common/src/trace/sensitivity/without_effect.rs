@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::edge::{changes, differ, margin_of, vertex};
-use super::{Moved, State};
+use super::State;
+use super::bracket::{differ, margin_of, vertex};
+use super::edge::changes;
+use super::moved::Moved;
 use crate::Progress;
 
 /// A parabola that comes nearer to 0 than this fraction of its ends may change its sign after all.
