@@ -1,4 +1,4 @@
-//! What joins the lesson with its program.
+//! The code that joins the lesson with its program.
 
 mod stage;
 

@@ -1,4 +1,4 @@
-//! What joins the lesson with its program, and with tables of inputs.
+//! The code that joins the lesson with its program, and with tables of inputs.
 
 pub mod arrays;
 mod stage;

@@ -1,4 +1,4 @@
-//! What joins the lesson with its program, the engine and scene files: the scenes by name, the choice of
+//! The code that joins the lesson with its program, the engine and scene files: the scenes by name, the choice of
 //! the renderer, a row for each camera (`kinds`), and wrappers that count and record (`instruments`).
 
 pub mod instruments;

@@ -1,4 +1,4 @@
-//! What joins the lesson with its program, the engine and scene files: the scenes by name, a row for each
+//! The code that joins the lesson with its program, the engine and scene files: the scenes by name, a row for each
 //! mirror (`kinds`), and wrappers that count and record (`instruments`).
 
 pub mod instruments;

@@ -1,4 +1,4 @@
-//! What joins the lesson with its program, the engine and scene files: the scenes by name, and a row for
+//! The code that joins the lesson with its program, the engine and scene files: the scenes by name, and a row for
 //! each shape (`kinds`).
 
 pub mod kinds;
