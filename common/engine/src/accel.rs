@@ -48,7 +48,6 @@ pub(crate) struct Accelerator<'a> {
 impl<'a> Accelerator<'a> {
     /// The accelerator of these shapes.
     pub fn new(mut shapes: Shapes<'a>) -> Self {
-        shapes.finish();
         let (tree, unbounded) = build(&mut shapes);
         let is_linear = shapes.len() <= LINEAR_SCAN_SHAPES && !shapes.have_instances();
         let ids: Vec<_> = shapes.ids().filter(|_| is_linear).collect();
@@ -61,8 +60,7 @@ impl<'a> Accelerator<'a> {
     }
 
     /// An accelerator that tests each of these shapes, to measure what the tree saves.
-    pub fn without_tree(mut shapes: Shapes<'a>) -> Self {
-        shapes.finish();
+    pub fn without_tree(shapes: Shapes<'a>) -> Self {
         let ids: Vec<_> = shapes.ids().collect();
         Self {
             tree: None,

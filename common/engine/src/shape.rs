@@ -7,7 +7,6 @@ mod instance;
 mod list;
 mod mesh;
 mod plane;
-mod pool;
 mod primitive;
 mod rays;
 mod sheared_rays;

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! Behind `--`, `torus cloud --size 640x480` takes two scenes, small, and `--alone --rounds 20` measures
-//! the gain of the second thread.
+//! the gain of the second thread. `embree.py` beside this file counts rays of Embree, which has single
+//! precision and no pictures.
 //!
 //! The columns of a missing program have no numbers, nor those of Tachyon in the scene
 //! `nodes`, because it has none. Scenes and pictures stay in `target/tmp/peers/`.

@@ -58,11 +58,6 @@ impl<'a> Shapes<'a> {
         }
     }
 
-    /// Releases the memory that only `push` needs.
-    pub fn finish(&mut self) {
-        self.triangles.shapes.finish();
-    }
-
     /// The number of shapes.
     pub fn len(&self) -> usize {
         let len = |kind: &Kind| with_list!(self, kind, |list| list.attributes.len());

@@ -140,13 +140,10 @@ impl<S: Simd, const N: usize> Slab<S, N> {
     #[inline(always)]
     fn intersect(&self, planes: &[impl SimdInto<f32x8<S>, S> + Copy; 2]) -> (f32x8<S>, f32x8<S>) {
         let simd = self.near.simd;
-        let [lower, upper] = *planes;
-        let (first_plane, last_plane) = match self.side {
-            Side::Lower => (lower, upper),
-            Side::Upper => (upper, lower),
-        };
-        let near = first_plane.simd_into(simd) - self.near;
-        let far = last_plane.simd_into(simd) - self.far;
+        // An index needs no branch.
+        let first = self.side as usize;
+        let near = planes[first].simd_into(simd) - self.near;
+        let far = planes[1 - first].simd_into(simd) - self.far;
         let (mut first, mut last) = (near * self.inverses[0], far * self.inverses[0]);
         for inverse in &self.inverses[1..] {
             first = first.min(near * *inverse);

@@ -43,10 +43,11 @@ impl<S: Simd> RayPacket<S> {
     #[inline(always)]
     pub fn to_rays(self) -> [Ray; 4] {
         let (origins, directions) = (self.origin.to_lanes(), self.direction.to_lanes());
-        [0, 1, 2, 3].map(|lane| Ray {
+        let ray = |lane: usize| Ray {
             origin: origins[lane],
             direction: directions[lane],
-        })
+        };
+        [ray(0), ray(1), ray(2), ray(3)]
     }
 
     /// These rays, where the first active one replaces those that are not active.
@@ -66,6 +67,9 @@ impl<S: Simd> RayPacket<S> {
     pub fn scaled(self) -> (Self, Lanes<S>) {
         let simd = self.simd();
         let is_plain = is_square_for_formulas(self.direction.dot(self.direction));
+        if is_plain.all_true() {
+            return (self, splat(simd, 1.0));
+        }
         let scaled = (self.direction.to_lanes()).map(|v| scaled(v).unwrap_or((v, 1.0)));
         let direction = Vector3x4::new(simd, scaled.map(|(direction, _)| direction));
         let unit = lanes(simd, scaled.map(|(_, unit)| unit));
@@ -123,12 +127,13 @@ impl<S: Simd> PacketHit<S> {
     #[inline(always)]
     pub fn to_hits(self) -> [Hit; 4] {
         let (normals, faces) = (self.normal.to_lanes(), self.geometric_normal.to_lanes());
-        [0, 1, 2, 3].map(|lane| Hit {
+        let hit = |lane: usize| Hit {
             t: self.t[lane],
             normal: normals[lane],
             geometric_normal: faces[lane],
             scale: self.scale[lane],
-        })
+        };
+        [hit(0), hit(1), hit(2), hit(3)]
     }
 
     /// These hits in the lanes of the mask, and `others` in the other lanes.

@@ -1,44 +1,34 @@
-//! `Mesh`: triangles that share their normals.
+//! `Mesh`: triangles, whose corners lie apart from what only their hits need.
 
 use glam::DVec3;
 
-use super::pool::Pool;
-use super::{Corners, List, Triangle};
-use crate::lanes::{Simd, Vector3x4, lanes, transposed};
+use super::{Corners, List, Triangle, triangle};
+use crate::lanes::{Simd, lanes, transposed};
 
-/// Triangles. Each normal is stored once, but corners as often as they are shared: most tests
-/// read nothing else, and the four triangles of a leaf lie side by side.
+/// Triangles. Most tests read nothing but corners, and those of the four triangles of a leaf lie
+/// side by side.
 #[derive(Debug, Default)]
 pub(crate) struct Mesh {
     corners: Vec<[DVec3; 3]>,
     faces: Vec<Face>,
-    vectors: Pool,
 }
 
-/// The shading normals and the geometric one of a triangle, by their indices, and its scale.
+/// The shading normals and the geometric one of a triangle, and its scale.
 #[derive(Clone, Copy, Debug)]
 struct Face {
-    normals: [u32; 3],
-    normal: u32,
+    normals: [DVec3; 3],
+    geometric_normal: DVec3,
     scale: f64,
 }
 
 impl Mesh {
     pub fn push(&mut self, triangle: &Triangle) {
-        let mut add = |vector| self.vectors.add(vector);
+        self.corners.push(triangle.corners);
         self.faces.push(Face {
-            normals: triangle.normals.map(&mut add),
-            normal: add(triangle.geometric_normal),
+            normals: triangle.normals,
+            geometric_normal: triangle.geometric_normal,
             scale: triangle.scale,
         });
-        self.corners.push(triangle.corners);
-    }
-
-    /// Releases the memory that only `push` needs.
-    pub fn finish(&mut self) {
-        self.vectors.finish();
-        self.corners.shrink_to_fit();
-        self.faces.shrink_to_fit();
     }
 }
 
@@ -49,14 +39,13 @@ impl List for Mesh {
     fn get(&self, index: usize) -> Triangle {
         let Face {
             normals,
-            normal,
+            geometric_normal,
             scale,
         } = self.faces[index];
-        let vector = |index| self.vectors.get(index);
         Triangle {
             corners: self.corners[index],
-            normals: normals.map(vector),
-            geometric_normal: vector(normal),
+            normals,
+            geometric_normal,
             scale,
         }
     }
@@ -75,12 +64,7 @@ impl List for Mesh {
 
     #[inline(always)]
     fn splat<S: Simd>(&self, simd: S, index: usize) -> Corners<S> {
-        let [a, b, c] = self.corners[index];
-        [
-            Vector3x4::splat(simd, a).axes(),
-            Vector3x4::splat(simd, b).axes(),
-            Vector3x4::splat(simd, c).axes(),
-        ]
+        triangle::splat(simd, self.corners[index])
     }
 
     fn swap(&mut self, a: usize, b: usize) {

@@ -6,7 +6,7 @@ use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use super::{Bounds, Primitive, Rays};
-use crate::lanes::{Lanes, Mask, PacketHit, Vector3x4, no_hit, positive, splat, without};
+use crate::lanes::{self, Lanes, Mask, PacketHit, Vector3x4, no_hit, positive, without};
 use crate::vector::normalized;
 
 /// Three corners, each with a shading normal.
@@ -120,7 +120,7 @@ impl Primitive for Triangle {
         let a = Vector3x4::splat(simd, a);
         let b = Vector3x4::splat(simd, b);
         let c = Vector3x4::splat(simd, c);
-        let scale = splat(simd, self.scale);
+        let scale = lanes::splat(simd, self.scale);
         if self.is_flat() {
             return PacketHit {
                 t,
@@ -129,7 +129,7 @@ impl Primitive for Triangle {
                 scale,
             };
         }
-        let corners = sheared(&Self::four(simd, [self; 4]), rays);
+        let corners = sheared(&splat(simd, self.corners), rays);
         let [u, v, w] = edge_functions(&corners);
         let determinant = u + v + w;
         let (beta, gamma) = (v / determinant, w / determinant);
@@ -146,6 +146,16 @@ impl Primitive for Triangle {
             scale,
         }
     }
+}
+
+/// The corners of one triangle, four times.
+#[inline(always)]
+pub(super) fn splat<S: Simd>(simd: S, [a, b, c]: [DVec3; 3]) -> Corners<S> {
+    [
+        Vector3x4::splat(simd, a).axes(),
+        Vector3x4::splat(simd, b).axes(),
+        Vector3x4::splat(simd, c).axes(),
+    ]
 }
 
 /// The corners in the sheared spaces of the rays.
