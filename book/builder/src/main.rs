@@ -8,8 +8,7 @@
 //!    (`live_module`, `yours`).
 //! 4. mdBook builds the pages (`pages`); before, it calls this program to fill in recorded
 //!    figures (`recorded`).
-//! 5. A warning or a file from the network is an error (`pages`, `network`), and with
-//!    `--check-links` a broken link, too.
+//! 5. A warning or a file from the network is an error (`pages`, `network`).
 
 mod changes;
 mod command;
@@ -39,9 +38,6 @@ struct Arguments {
     /// Shows the book in a browser.
     #[arg(long)]
     open: bool,
-    /// Checks all links, too, by a program that is installed the first time.
-    #[arg(long)]
-    check_links: bool,
     /// Shows pictures by this exercise of the reader's beside those of the lesson, such as
     /// `a04-intersections/sphere`.
     #[arg(long, value_name = "STAGE/EXERCISE", value_parser = yours::parse, num_args = 1..)]
@@ -102,9 +98,6 @@ fn run(arguments: &Arguments) -> Result<(), String> {
         _ => {}
     }
     build(&arguments.yours)?;
-    if arguments.check_links {
-        pages::check_links()?;
-    }
 
     if let Some(destination) = destination {
         destination.publish()
@@ -124,7 +117,7 @@ fn build(yours: &[yours::Exercise]) -> Result<(), String> {
     exercises::write()?;
     // The programs take a minute of one core, and the module another.
     let module = std::thread::scope(|scope| {
-        let tools = scope.spawn(|| tools::install(&tools::OF_THE_PAGES));
+        let tools = scope.spawn(tools::install);
         let module = LiveModule::build(yours);
         let outcome = tools
             .join()

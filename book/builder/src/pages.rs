@@ -1,4 +1,4 @@
-//! The pages, by mdBook, and the check of their links, by hyperlink.
+//! The pages, by mdBook.
 
 use std::path::Path;
 use std::process::Command;
@@ -25,12 +25,6 @@ pub fn build(module: Option<&LiveModule>) -> Result<(), String> {
         return Err("the book has warnings".to_owned());
     }
     copy_scripts(module)
-}
-
-/// Checks that each link leads to a page, a picture or a heading.
-pub fn check_links() -> Result<(), String> {
-    tools::install(&[tools::HYPERLINK])?;
-    run(tools::command("hyperlink")?.args(["--check-anchors", FOLDER]))
 }
 
 /// Shows the pages in a browser.

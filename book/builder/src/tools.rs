@@ -1,4 +1,4 @@
-//! The programs that build and check the book, installed below `target/`.
+//! The programs that build the book, installed below `target/`.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -9,15 +9,14 @@ use crate::command::{output, run};
 use crate::file;
 
 /// A program from crates.io.
-pub struct Tool {
+struct Tool {
     name: &'static str,
     version: &'static str,
     /// Further arguments of `cargo install`.
     arguments: &'static [&'static str],
 }
 
-/// The programs without which there are no pages.
-pub const OF_THE_PAGES: [Tool; 2] = [
+const TOOLS: [Tool; 2] = [
     Tool {
         name: "mdbook",
         version: "0.5.4",
@@ -30,13 +29,6 @@ pub const OF_THE_PAGES: [Tool; 2] = [
     },
 ];
 
-/// The program that checks links.
-pub const HYPERLINK: Tool = Tool {
-    name: "hyperlink",
-    version: "0.3.2",
-    arguments: &[],
-};
-
 /// A command for one of the programs. It finds the others: mdBook starts mdbook-katex.
 pub fn command(name: &str) -> Result<Command, String> {
     let mut command = Command::new(name);
@@ -46,8 +38,8 @@ pub fn command(name: &str) -> Result<Command, String> {
 
 /// Installs each program whose version is not there yet, one after the other: they are built in one
 /// folder, in which the second one finds libraries of the first one.
-pub fn install(tools: &[Tool]) -> Result<(), String> {
-    tools.iter().try_for_each(Tool::install)?;
+pub fn install() -> Result<(), String> {
+    TOOLS.iter().try_for_each(Tool::install)?;
     let folder = build_folder()?;
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(file::with_path(&folder))?;
