@@ -47,7 +47,13 @@ fn in_words(shape: &Shape) -> WrittenShape {
         ),
         Shape::Triangle(triangle) => {
             let corners = triangle.corners.map(|corner| corner.to_array());
-            ("triangle", vec![("corners", corners.as_flattened().into())])
+            let mut values = vec![("corners", corners.as_flattened().into())];
+            let [u, v, w] = triangle.normals;
+            if u != v || v != w {
+                let normals = triangle.normals.map(|normal| normal.to_array());
+                values.push(("normals", normals.as_flattened().into()));
+            }
+            ("triangle", values)
         }
         Shape::Transformed(_) | Shape::Instance(_) | Shape::Other(_) => {
             ("shape by formula", Vec::new())
