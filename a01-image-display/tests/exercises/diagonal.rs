@@ -9,13 +9,13 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let pictures = Questions {
-        words: "a picture of {}x{}".into(),
+        words: "a picture of {}x{}",
         simple: vec![(3, 3), (5, 3), (3, 5), (1, 1)],
         others: random(|r| (1 + r.below(12), 1 + r.below(12))),
         answer: |diagonal: &Code, size| painted(size, diagonal),
     };
     Exercise {
-        questions: vec![pictures.into()],
+        questions: pictures.into(),
         picture: Picture::scene("diagonal", |diagonal: &Code, settings| {
             diagonal(settings.size)
         }),

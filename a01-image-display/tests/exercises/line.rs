@@ -13,13 +13,13 @@ pub fn exercise() -> Exercise<Code> {
     let mut sizes = random(|r| (1 + r.below(24), 1 + r.below(24)));
     sizes.retain(|(w, h)| w.max(h) % 2 == 0);
     let pictures = Questions {
-        words: "a picture of {}x{}".into(),
+        words: "a picture of {}x{}",
         simple: vec![(3, 3), (4, 2), (2, 4), (6, 3), (1, 1), (4, 1), (1, 4)],
         others: sizes,
         answer: |line: &Code, size| painted(size, line),
     };
     Exercise {
-        questions: vec![pictures.into()],
+        questions: pictures.into(),
         picture: Picture::own(|line: &Code, settings| line(settings.size)),
         wrong: vec![
             Other::new("a high picture has a pixel in every row", |size| {

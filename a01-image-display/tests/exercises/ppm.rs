@@ -9,7 +9,7 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let pictures = Questions {
-        words: "a picture of {}x{} with the bytes {}".into(),
+        words: "a picture of {}x{} with the bytes {}",
         simple: vec![(1, 1, b"RGB".to_vec()), (2, 1, b"red\n\r ".to_vec())],
         others: random(|r| {
             let (w, h) = (1 + r.below(4), 1 + r.below(4));
@@ -22,7 +22,7 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     let between_bytes = Questions {
-        words: "a picture of one pixel of the grey {}".into(),
+        words: "a picture of one pixel of the grey {}",
         simple: vec![0.999, 0.5, 0.25, 2.0, -1.0],
         others: vec![],
         answer: |ppm: &Code, grey| {
@@ -31,24 +31,12 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![pictures.into(), between_bytes.into()],
-        wrong: vec![
-            Other::new("the width comes before the height", |image| {
-                file(image, |w, h| format!("P6\n{h} {w}\n255\n"))
-            }),
-            Other::new("a line feed ends 255, and no line is empty", |image| {
-                file(image, |w, h| format!("P6\n{w} {h}\n255\n\n"))
-            }),
-            Other::new("P6 has bytes, P3 numbers in words", |image| {
-                file(image, |w, h| format!("P3\n{w} {h}\n255\n"))
-            }),
-        ],
+        questions: all([pictures.into(), between_bytes.into()]),
+        wrong: vec![Other::new("the width comes before the height", |image| {
+            let (width, height) = (image.size().width(), image.size().height());
+            let lines = format!("P6\n{height} {width}\n255\n");
+            [lines.into_bytes(), image.to_rgb8(Transfer::Linear)].concat()
+        })],
         ..Exercise::default()
     }
-}
-
-/// A file whose first lines follow from width and height.
-fn file(image: &Image, lines: fn(u32, u32) -> String) -> Vec<u8> {
-    let lines = lines(image.size().width(), image.size().height());
-    [lines.into_bytes(), image.to_rgb8(Transfer::Linear)].concat()
 }

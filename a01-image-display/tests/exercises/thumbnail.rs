@@ -9,7 +9,7 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let pictures = Questions {
-        words: "a picture of {}x{} with the greys {}, by {}".into(),
+        words: "a picture of {}x{} with the greys {}, by {}",
         simple: [(2, 2, 2), (4, 1, 3), (1, 4, 3), (2, 2, 1), (2, 2, 5)]
             .map(|(w, h, n)| (w, h, vec![0.0, 1.0, 3.0, 4.0], n))
             .to_vec(),
@@ -27,7 +27,7 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![pictures.into()],
+        questions: pictures.into(),
         picture: Picture::own(|thumbnail: &Code, _| {
             thumbnail(&ShowImage::test_card()?.into_image(), 4)
         }),
@@ -44,9 +44,6 @@ pub fn exercise() -> Exercise<Code> {
                     })
                 },
             ),
-            Other::new("a square has n times n pixels", |image, n| {
-                mean(image, n, |greys| greys.iter().sum::<f64>() / f64::from(n))
-            }),
         ],
         ..Exercise::default()
     }

@@ -19,7 +19,7 @@ pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
 
 testing::examples! {
     let v = Vector3::new(1.0, 2.0, 3.0);
-    let turned = |axis, degrees: f64| rotated(v, axis, degrees.to_radians()).to_glam().to_array();
+    let turned = |axis, degrees: f64| array(rotated(v, axis, degrees.to_radians()));
     assert_close!(turned(Vector3::new(0.0, 0.0, 1.0), 90.0), [-2.0, 1.0, 3.0]);
     assert_close!(turned(Vector3::new(0.0, 0.0, -9.0), 90.0), [2.0, -1.0, 3.0]);
     assert_close!(turned(Vector3::default(), 90.0), [1.0, 2.0, 3.0], "around no axis");

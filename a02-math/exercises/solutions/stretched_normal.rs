@@ -17,7 +17,7 @@ pub fn stretched_normal(n: Normal3, factors: [f64; 3]) -> Option<Normal3> {
 testing::examples! {
     let stretched = |factors| {
         let n = stretched_normal(Normal3::new(0.6, 0.8, 0.0), factors);
-        n.map(|n| n.to_glam().to_array())
+        n.map(array)
     };
     assert_close!(stretched([5.0; 3]), Some([0.6, 0.8, 0.0]));
     assert_close!(stretched([0.75, 4.0 / 3.0, 9.0]), Some([0.8, 0.6, 0.0]));

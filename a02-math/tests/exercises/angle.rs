@@ -12,7 +12,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let x = [1.0, 0.0, 0.0];
     let vectors = Questions {
-        words: "a = {}, b = {}".into(),
+        words: "a = {}, b = {}",
         // A right angle, an obtuse one, none, the largest, tiny ones, of a zero vector, and of
         // vectors that differ much in length.
         simple: vec![
@@ -36,12 +36,8 @@ pub fn exercise() -> Exercise<Code> {
         answer: |angle: &Code, (a, b)| angle(vector(a), vector(b)),
     };
     Exercise {
-        questions: vec![vectors.into()],
-        picture: scene(|angle: &Code| Functions {
-            angle: *angle,
-            ..LESSON
-        }),
-        drawing: drawing(|angle: &Code, settings| fans(*angle, settings)),
+        questions: vectors.into(),
+        picture: Picture::own(|angle: &Code, settings| fans(*angle, settings)),
         wrong: vec![
             Other::new("the cosine of a tiny angle rounds to 1", |a, b| {
                 libm::acos(cosine(a, b).clamp(-1.0, 1.0))

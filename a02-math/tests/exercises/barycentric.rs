@@ -1,18 +1,17 @@
 //! Points in triangles, outside and beside their planes, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::barycentric::barycentric as right;
 
-yours! { barycentric => std::sync::Arc::new(barycentric) }
+yours! { barycentric }
 
-type Code = Arc<dyn Fn(Point3, [Point3; 3]) -> Option<[f64; 3]> + Send + Sync>;
+type Code = fn(Point3, [Point3; 3]) -> Option<[f64; 3]>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let [o, x, y] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
     let points = Questions {
-        words: "p = {}, corners {}".into(),
+        words: "p = {}, corners {}",
         simple: vec![
             ([1.0, 1.0, 0.0], [o, x, y]),
             ([4.0, 4.0, 1.0], [o, x, y]),
@@ -32,21 +31,15 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![points.into()],
+        questions: points.into(),
         picture: Picture::own(triangle),
         wrong: vec![
-            Other::from_right("outside, a weight is negative", |right| {
-                Arc::new(move |p, corners| Some(right(p, corners)?.map(f64::abs)))
-            }),
-            Other::from_right("corners on a line have no weights", |right| {
-                Arc::new(move |p, corners| right(p, corners).or(Some([f64::NAN; 3])))
-            }),
-            Other::from_right("a small triangle is no line", |right| {
-                Arc::new(move |p, [a, b, c]| {
+            Other::new("outside, a weight is negative", |p, corners| Some(right(p, corners)?.map(f64::abs))),
+            Other::new("corners on a line have no weights", |p, corners| right(p, corners).or(Some([f64::NAN; 3]))),
+            Other::new("a small triangle is no line", |p, [a, b, c]| {
                     let area = (b - a).parallelogram_area(c - a);
                     right(p, [a, b, c]).filter(|_| area > 1e-9)
-                })
-            }),
+                }),
         ],
         ..Exercise::default()
     }

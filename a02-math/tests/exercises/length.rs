@@ -9,7 +9,7 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let vectors = Questions {
-        words: "the vector ({}, {}, {})".into(),
+        words: "the vector ({}, {}, {})",
         simple: vec![
             (0.0, 3.0, 4.0),
             (0.0, 0.0, -2.0),
@@ -29,7 +29,7 @@ pub fn exercise() -> Exercise<Code> {
         answer: |length: &Code, (x, y, z)| length(x, y, z),
     };
     Exercise {
-        questions: vec![vectors.into()],
+        questions: vectors.into(),
         wrong: vec![
             Other::new("squares overflow", |x, y, z| divided([x, y, z], 1.0)),
             Other::new("the largest coordinate may be negative", |x, y, z| {

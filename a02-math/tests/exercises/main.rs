@@ -2,14 +2,6 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-mod drawn;
-#[path = "../../src/scenes.rs"]
-mod scenes;
-
-// The types that `scenes` takes from its crate.
-use a02_math::Normal3;
-use drawn::Vector3;
-
 /// All names that checks, examples and students' files use.
 #[allow(unused_imports, ambiguous_glob_reexports)]
 mod prelude {
@@ -20,8 +12,6 @@ mod prelude {
     // Not the picture of a scene.
     pub use testing::exercises::Picture;
     pub use testing::yours;
-
-    pub use crate::drawn::{Functions, LESSON, scene};
 }
 
 testing::exercises! {

@@ -18,7 +18,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let vectors = Questions {
-        words: "a = {}, b = {}".into(),
+        words: "a = {}, b = {}",
         simple: vec![
             (x, y),
             (y, x),
@@ -29,17 +29,12 @@ pub fn exercise() -> Exercise<Code> {
         answer: |code: &Code, (a, b)| {
             let (a, b) = (vector(a), vector(b));
             Answer::named("a · b", (code.dot)(a, b))
-                .and("a × b", (code.cross)(a, b).to_glam().to_array())
+                .and("a × b", array((code.cross)(a, b)))
         },
     };
     Exercise {
-        questions: vec![vectors.into()],
-        picture: scene(|code: &Code| Functions {
-            dot: code.dot,
-            cross: code.cross,
-            ..LESSON
-        }),
-        drawing: drawing(balls),
+        questions: vectors.into(),
+        picture: Picture::own(balls),
         wrong: vec![
             Other::from_right("a vector has three coordinates", |right| Code {
                 dot: |a, b| a.x() * b.x() + a.y() * b.y(),

@@ -12,7 +12,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let up = [0.0, 1.0, 0.0];
     let vectors = Questions {
-        words: "v = {}, n = {}".into(),
+        words: "v = {}, n = {}",
         // To the side, along the normal, along the surface, and from behind.
         simple: vec![
             ([-2.0, 1.0, 0.0], up),
@@ -22,7 +22,7 @@ pub fn exercise() -> Exercise<Code> {
         ],
         others: random(|r| {
             let n = vector(r.triple(5.0)).normalized().unwrap_or_default();
-            (r.triple(5.0), n.to_glam().to_array())
+            (r.triple(5.0), array(n))
         }),
         answer: |reflected: &Code, (v, n)| {
             reflected(vector(v), vector(n).as_normal())
@@ -31,12 +31,8 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![vectors.into()],
-        picture: scene(|reflected: &Code| Functions {
-            reflected: *reflected,
-            ..LESSON
-        }),
-        drawing: drawing(|reflected: &Code, settings| parabola(*reflected, settings)),
+        questions: vectors.into(),
+        picture: Picture::own(|reflected: &Code, settings| parabola(*reflected, settings)),
         wrong: vec![
             Other::new("v points away", |v, n| -v.reflected_on(n)),
             Other::new("the part along the normal counts twice", |v, n| {

@@ -34,7 +34,6 @@ pub fn exercise() -> Exercise<Code> {
             first: ([0.0; 3], [0.0, 0.0, -1.0], PI),
             further: vec![],
             any: |r| (r.triple(9.0), r.triple(3.0), r.between(0.5, 6.0)),
-            section: "a03-rays-cameras.md#the-ray",
         })
     }
 }

@@ -7,7 +7,7 @@ mod sky;
 /// All names that checks, examples and students' files use.
 #[allow(unused_imports, ambiguous_glob_reexports)]
 mod prelude {
-    pub use a02_math::arrays::{array, point, vector};
+    pub use a02_math::arrays::{array, point, unit, vector};
     pub use a02_math::*;
     pub use a03_kinds::camera::*;
     // Its name in starters.

@@ -1,17 +1,16 @@
 //! Numbers of all sizes, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::mean::mean as right;
 
-yours! { mean => std::sync::Arc::new(mean) }
+yours! { mean }
 
-type Code = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
+type Code = fn(&[f64]) -> f64;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let lists = Questions {
-        words: "the mean of {}".into(),
+        words: "the mean of {}",
         simple: vec![
             vec![],
             vec![3.0],
@@ -31,26 +30,14 @@ pub fn exercise() -> Exercise<Code> {
         answer: |mean: &Code, numbers: Vec<f64>| mean(&numbers),
     };
     Exercise {
-        questions: vec![lists.into()],
-        rounding_flaw: Some("loses digits where the numbers differ much in size, or are many"),
+        questions: lists.into(),
         wrong: vec![
             Other::new(
                 "the errors of a plain sum add up",
-                Arc::new(|numbers| numbers.iter().sum::<f64>() / numbers.len().max(1) as f64),
+                |numbers| numbers.iter().sum::<f64>() / numbers.len().max(1) as f64,
             ),
-            Other::new("a running mean rounds as often", Arc::new(running_mean)),
-            Other::from_right("the mean of nothing is 0, not 0 / 0", |right| {
-                Arc::new(move |numbers| right(numbers) + 0.0 / numbers.len() as f64)
-            }),
+            Other::new("the mean of nothing is 0, not 0 / 0", |numbers| right(numbers) + 0.0 / numbers.len() as f64),
         ],
         ..Exercise::default()
     }
-}
-
-fn running_mean(numbers: &[f64]) -> f64 {
-    let mut mean = 0.0;
-    for (n, x) in (1_u32..).zip(numbers) {
-        mean += (x - mean) / f64::from(n);
-    }
-    mean
 }

@@ -18,16 +18,18 @@ pub fn exercise() -> Exercise<Code> {
     let mut wrong = mistakes_with_angle(|([e, g, t], angle): ([[f64; 3]; 3], f64)| {
         Ok((Basis::new(point(e), vector(g), vector(t))?, angle))
     });
-    wrong.push(Other::new(
-        "v is perpendicular to w, and t is not",
-        with_v(|_, t| t),
-    ));
+    let with_t_for_v = with_pixels(
+        |([e, g, t], angle): ([[f64; 3]; 3], f64)| {
+            let right = Basis::new(point(e), vector(g), vector(t))?;
+            let v = unit(t);
+            let u = v.cross(right.w);
+            Ok((Basis { u, v, ..right }, angle))
+        },
+        |angle, [_, height]| [2.0 * libm::tan(angle / 2.0) / height; 2],
+    );
+    wrong.push(Other::new("v is perpendicular to w, and t is not", with_t_for_v));
     Exercise {
-        picture: scene(|new: &Code, settings, View { world: sky, .. }| {
-            let camera = new((AHEAD, FRAC_PI_2))?;
-            paint(&*camera, &|ray| sky.color_for(ray), settings)
-        }),
-        drawing: drawing(floor),
+        picture: Picture::own(floor),
         wrong,
         ..cameras(Cameras {
             words: "eye, gaze and up {}, field of view {}",
@@ -39,29 +41,8 @@ pub fn exercise() -> Exercise<Code> {
                 ([[0.0; 3], [0.0, 0.0, -1e18], [0.0, 1e18, 0.0]], 1.0),
             ],
             any: |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.2, 2.8)),
-            section: "a03-rays-cameras.md#perspective",
         })
     }
-}
-
-/// A camera with another v, which follows from w and the up vector.
-fn with_v(v: fn(Vector3, Vector3) -> Vector3) -> Code {
-    new_camera(move |([e, g, t], angle): ([_; 3], f64)| {
-        let (e, w) = (point(e), unit(-vector(g)));
-        let v = unit(v(w, vector(t)));
-        Ok(OwnCamera(
-            move |[width, height]: [f64; 2], [x, y]: [f64; 2]| {
-                // The height of the picture is 2.
-                let [x, y] = [x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0];
-                let aside = (v.cross(w) * x + v * y) * (2.0 / height);
-                Ray::derived(e, unit(aside - w * (1.0 / libm::tan(angle / 2.0))))
-            },
-        ))
-    })
-}
-
-fn unit(v: Vector3) -> Vector3 {
-    v.normalized().unwrap_or_default()
 }
 
 /// A floor of squares below the sky, by a camera that looks down aslant. The corners of some squares

@@ -1,20 +1,17 @@
 //! Pictures of all samplings, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
 
-yours! { picture => std::sync::Arc::new(picture) }
+yours! { picture }
 
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
-type Code = Arc<dyn Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error> + Send + Sync>;
+type Code = fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let pixels = Questions {
         words: "{} sampling, {} samples, picture of {} pixels: the mean of (x, y, x²) in column \
-                and row {}"
-            .into(),
+                and row {}",
         simple: vec![
             (Sampling::Center, 1, [2, 3], [0, 0]),
             (Sampling::Center, 1, [2, 3], [1, 0]),
@@ -29,33 +26,20 @@ pub fn exercise() -> Exercise<Code> {
         answer: pixel,
     };
     Exercise {
-        questions: vec![pixels.into()],
-        picture: scene(|picture: &Code, settings, View { camera, world: sky }| {
-            picture(&camera, &|ray| sky.color_for(ray), settings)
-        }),
-        drawing: drawing(landscape),
+        questions: pixels.into(),
+        picture: Picture::own(landscape),
         wrong: vec![
-            Other::new(
-                "rows are counted from the top",
-                painted(Style {
-                    is_flipped: true,
-                    pixel: running_mean,
-                }),
-            ),
-            Other::new(
-                "a grid may have fewer samples",
-                painted(Style {
-                    is_flipped: false,
-                    pixel: |samples, wanted| sum(samples) * (1.0 / f64::from(wanted)),
-                }),
-            ),
-            Other::new(
-                "a pixel is a mean, not a sum",
-                painted(Style {
-                    is_flipped: false,
-                    pixel: |samples, _| sum(samples),
-                }),
-            ),
+            Other::new("rows are counted from the top", |camera, radiance, settings| {
+                painted(camera, radiance, settings, |size, y| size.height() - 1 - y, mean)
+            }),
+            Other::new("a grid may have fewer samples", |camera, radiance, settings| {
+                painted(camera, radiance, settings, |_, y| y, |samples, wanted| {
+                    sum(samples) * (1.0 / f64::from(wanted))
+                })
+            }),
+            Other::new("a pixel is a mean, not a sum", |camera, radiance, settings| {
+                painted(camera, radiance, settings, |_, y| y, |samples, _| sum(samples))
+            }),
         ],
         ..Exercise::default()
     }
@@ -84,40 +68,28 @@ fn pixel(
     image.get(x, y).map(Color::channels)
 }
 
-/// Another way to paint a picture.
-#[derive(Clone, Copy)]
-struct Style {
-    /// Whether rows are counted from the top.
-    is_flipped: bool,
-    /// The colour of a pixel, of the colours of its samples and their wanted number.
+/// The picture with another row of the camera, and another colour of a pixel: of the colours of
+/// its samples and their wanted number.
+fn painted(
+    camera: &dyn Camera,
+    radiance: Radiance,
+    settings: &Settings,
+    row: fn(Size, u32) -> u32,
     pixel: fn(&[Color], u32) -> Color,
-}
-
-fn painted(style: Style) -> Code {
-    Arc::new(move |camera, radiance, settings| {
-        let (size, sampler) = (settings.size, Sampler::new(settings));
-        Image::from_fn(size, |x, y| {
-            let row = if style.is_flipped {
-                size.height() - 1 - y
-            } else {
-                y
-            };
-            let mut samples = Vec::new();
-            for place in sampler.places(x, y) {
-                let (x, y) = camera_coordinates(size, x, row, place);
-                samples.push(radiance(&camera.ray_for(size, x, y)));
-            }
-            (style.pixel)(&samples, settings.samples)
-        })
+) -> Result<Image, Error> {
+    let (size, sampler) = (settings.size, Sampler::new(settings));
+    Image::from_fn(size, |x, y| {
+        let mut samples = Vec::new();
+        for place in sampler.places(x, y) {
+            let (x, y) = camera_coordinates(size, x, row(size, y), place);
+            samples.push(radiance(&camera.ray_for(size, x, y)));
+        }
+        pixel(&samples, settings.samples)
     })
 }
 
-fn running_mean(samples: &[Color], _: u32) -> Color {
-    let mut mean = Color::BLACK;
-    for (n, color) in (1_u32..).zip(samples) {
-        mean += (*color - mean) * (1.0 / f64::from(n));
-    }
-    mean
+fn mean(samples: &[Color], _: u32) -> Color {
+    sum(samples) * (1.0 / samples.len() as f64)
 }
 
 fn sum(samples: &[Color]) -> Color {

@@ -8,18 +8,13 @@ yours! { PinholeCamera => new_camera(|(e, angle)| PinholeCamera::new(point(e), a
 type Code = NewCamera<([f64; 3], f64)>;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: scene(|new: &Code, settings, View { world: sky, .. }| {
-            let camera = new(([0.0; 3], FRAC_PI_2))?;
-            paint(&*camera, &|ray| sky.color_for(ray), settings)
-        }),
-        drawing: drawing(corridor),
+        picture: Picture::own(corridor),
         wrong: mistakes_with_angle(|(e, angle)| Ok((axes(e)?, angle))),
         ..cameras(Cameras {
             words: "pinhole at {}, field of view {}",
             first: ([0.0; 3], FRAC_PI_2),
             further: vec![],
             any: |r| (r.triple(9.0), r.between(0.2, 2.8)),
-            section: "a03-rays-cameras.md#pinhole",
         })
     }
 }
@@ -39,7 +34,7 @@ fn corridor(new: &Code, settings: &Settings) -> Result<Image, Error> {
     let angle = FRAC_PI_3;
     let camera = new(([0.0; 3], angle))?;
     let color = |ray: &Ray| {
-        let [x, y, z] = ray.direction().to_glam().to_array();
+        let [x, y, z] = array(ray.direction());
         let (aside, upwards) = (x.abs() / HALF[0], y.abs() / HALF[1]);
         let depth = -z / aside.max(upwards);
         let wall = match (aside > upwards, x > 0.0, y > 0.0) {

@@ -1,17 +1,16 @@
 //! Numbers in many bases, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::radical_inverse::radical_inverse as right;
 
-yours! { radical_inverse => std::sync::Arc::new(radical_inverse) }
+yours! { radical_inverse }
 
-type Code = Arc<dyn Fn(u32, u32) -> f64 + Send + Sync>;
+type Code = fn(u32, u32) -> f64;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let numbers = Questions {
-        words: "{} in base {}".into(),
+        words: "{} in base {}",
         simple: vec![
             (0, 2),
             (1, 2),
@@ -30,19 +29,10 @@ pub fn exercise() -> Exercise<Code> {
         answer: |radical_inverse: &Code, (n, base)| radical_inverse(n, base),
     };
     Exercise {
-        questions: vec![numbers.into()],
+        questions: numbers.into(),
         picture: Picture::own(points),
         wrong: vec![
-            Other::from_right("digits stand behind the point, not before it", |right| {
-                Arc::new(move |n, base| right(n, base) * f64::from(base))
-            }),
-            Other::from_right("the base need not be 2", |right| {
-                Arc::new(move |n, _| right(n, 2))
-            }),
-            Other::new(
-                "all digits are mirrored, not the last alone",
-                Arc::new(|n, base| f64::from(n % base) / f64::from(base)),
-            ),
+            Other::new("digits stand behind the point, not before it", |n, base| right(n, base) * f64::from(base)),
         ],
         ..Exercise::default()
     }

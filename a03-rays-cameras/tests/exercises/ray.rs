@@ -16,7 +16,7 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let rays = Questions {
-        words: "ray from {} along {}, t = {}, point {}".into(),
+        words: "ray from {} along {}, t = {}, point {}",
         simple: vec![
             ([0.0; 3], [0.0, 0.0, -2.0], 3.0, [0.0, 0.0, -8.0]),
             ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], -1.0, [5.0, 4.0, 0.0]),
@@ -30,14 +30,13 @@ pub fn exercise() -> Exercise<Code> {
         }),
         answer: |code: &Code, (o, d, t, p)| {
             let ray = Ray::derived(point(o), vector(d));
-            Answer::named("at", (code.at)(&ray, t).to_glam().to_array())
+            Answer::named("at", array((code.at)(&ray, t)))
                 .and("t_of", (code.t_of)(&ray, point(p)))
         },
     };
     Exercise {
-        questions: vec![rays.into()],
-        picture: scene(striped),
-        drawing: drawing(points_and_feet),
+        questions: rays.into(),
+        picture: Picture::own(points_and_feet),
         wrong: vec![
             Other::from_right("t is no distance: d may have any length", |right| Code {
                 t_of: |ray, p| (p - ray.origin()).magnitude(),
@@ -54,19 +53,6 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..Exercise::default()
     }
-}
-
-/// The sky along rays to the point that both functions find at t = 1.
-fn striped(
-    code: &Code,
-    settings: &Settings,
-    View { camera, world: sky }: View<StripedSky>,
-) -> Result<Image, Error> {
-    let radiance = |ray: &Ray| {
-        let point = (code.at)(ray, (code.t_of)(ray, ray.at(1.0)));
-        sky.color_for(&Ray::derived(ray.origin(), point - ray.origin()))
-    };
-    paint(&camera, &radiance, settings)
 }
 
 fn unit(ray: &Ray) -> Vector3 {

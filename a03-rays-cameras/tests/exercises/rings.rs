@@ -10,7 +10,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let up = [0.0, 1.0, 0.0];
     let directions = Questions {
-        words: "direction {}, pole {}, rings of width {}".into(),
+        words: "direction {}, pole {}, rings of width {}",
         simple: vec![
             (up, up, 0.75),
             ([0.0, 2.0, 0.0], up, 0.75),
@@ -34,16 +34,12 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![directions.into()],
-        rounding_flaw: Some("loses the digits of small angles"),
+        questions: directions.into(),
         picture: Picture::own(|ring: &Code, settings| sky_of_rings(*ring, settings)),
         wrong: vec![
             Other::new("an arc cosine near 1 has few digits", |d, pole, width| {
                 let cosine = d.dot(pole) / (d.magnitude() * pole.magnitude());
                 (libm::acos(cosine.clamp(-1.0, 1.0)) / width) as u32
-            }),
-            Other::new("rings are behind the pole, too", |d, pole, width| {
-                (d.angle(pole).min(d.angle(-pole)) / width) as u32
             }),
             Other::new("a number of a ring is rounded down", |d, pole, width| {
                 (d.angle(pole) / width).round() as u32

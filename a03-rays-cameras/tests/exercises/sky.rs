@@ -1,4 +1,4 @@
-//! The scene of this stage, with the student's code in it.
+//! What examples and pictures of cameras use.
 
 #[allow(
     unused_imports,
@@ -8,20 +8,10 @@ pub use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
 
 use crate::prelude::*;
 
-/// The scene of curved stripes, which code renders in its own way.
-pub fn scene<C: 'static>(
-    render: fn(&C, &Settings, View<StripedSky>) -> Result<Image, Error>,
-) -> Picture<C> {
-    Picture::scene("striped-sky", move |code, settings| {
-        let view = scenes::striped_sky(settings.size, StripeRule::Direction)?;
-        render(code, settings, view)
-    })
-}
-
 /// The direction of a camera's ray through the position (`x`, `y`), for examples.
 pub fn direction(camera: &impl Camera, size: Size, x: f64, y: f64) -> [f64; 3] {
     let ray = camera.ray_for(size, x, y);
-    ray.direction().to_glam().to_array()
+    array(ray.direction())
 }
 
 /// Marks positions by black crosses. They are counted in pixels from the middle, to the right and

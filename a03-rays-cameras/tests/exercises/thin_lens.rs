@@ -1,19 +1,17 @@
 //! Rays through all points of lenses, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::thin_lens::through_lens as right;
 
-yours! { through_lens => std::sync::Arc::new(through_lens) }
+yours! { through_lens }
 
-type Code = Arc<dyn Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray + Send + Sync>;
+type Code = fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let (eye, gaze) = ([0.0; 3], [0.0, 0.0, -1.0]);
     let rays = Questions {
-        words: "eye {}, gaze {}, focus {}, ray through {} of 5 by 3 pixels, place {} of the lens"
-            .into(),
+        words: "eye {}, gaze {}, focus {}, ray through {} of 5 by 3 pixels, place {} of the lens",
         simple: vec![
             (eye, gaze, 2.0, [4.0, 1.0], [0.0, 0.0]),
             (eye, gaze, 2.0, [4.0, 1.0], [1.0, 0.0]),
@@ -32,26 +30,20 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![rays.into()],
+        questions: rays.into(),
         picture: Picture::own(walls),
         wrong: vec![
-            Other::from_right("the focus is a plane, not a ball", |right| {
-                Arc::new(move |basis, focus, ray, on_lens| {
+            Other::new("the focus is a plane, not a ball", |basis, focus, ray, on_lens| {
                     right(basis, focus * -basis.w.dot(ray.direction()), ray, on_lens)
-                })
-            }),
-            Other::from_right("the direction has length 1", |right| {
-                Arc::new(move |basis, focus, ray, on_lens| {
+                }),
+            Other::new("the direction has length 1", |basis, focus, ray, on_lens| {
                     let ray = right(basis, focus, ray, on_lens);
                     Ray::derived(ray.origin(), ray.direction() * focus)
-                })
-            }),
-            Other::from_right("from another place, the direction is another", |right| {
-                Arc::new(move |basis, focus, ray, on_lens| {
+                }),
+            Other::new("from another place, the direction is another", |basis, focus, ray, on_lens| {
                     let origin = right(basis, focus, ray, on_lens).origin();
                     Ray::derived(origin, ray.direction())
-                })
-            }),
+                }),
         ],
         ..Exercise::default()
     }

@@ -10,11 +10,6 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-3", scene_3, ([-0.5, 0.0, -0.5], [0.5, 1.0, 0.5])),
-        remark: Some(|new: &Code| {
-            corpus("box", &|x: &[f64]| {
-                new(([x[0], x[1], x[2]], [x[3], x[4], x[5]]))
-            })
-        }),
         wrong: vec![
             Other::new(
                 "edges belong to the box",
@@ -85,8 +80,8 @@ fn entry_and_exit(a: f64, b: f64, direction: f64) -> [f64; 2] {
 fn slabs(style: Style) -> Code {
     new_shape(move |(lbf, run): Corners| {
         Ok(own(move |ray: &Ray, within| {
-            let o = ray.origin().to_glam().to_array();
-            let d = ray.direction().to_glam().to_array();
+            let o = array(ray.origin());
+            let d = array(ray.direction());
             let mut entry = (f64::NEG_INFINITY, 0);
             let mut exit = (f64::INFINITY, 0);
             for axis in 0..3 {

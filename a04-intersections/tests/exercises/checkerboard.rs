@@ -1,12 +1,11 @@
 //! Points in cubes and on their faces, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::checkerboard::checkerboard as right;
 
-yours! { checkerboard => std::sync::Arc::new(checkerboard) }
+yours! { checkerboard }
 
-type Code = Arc<dyn Fn(Point3, Normal3) -> Color + Send + Sync>;
+type Code = fn(Point3, Normal3) -> Color;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
@@ -25,7 +24,7 @@ pub fn exercise() -> Exercise<Code> {
     }
     simple.extend(beside_faces());
     let points = Questions {
-        words: "p = {}, n = {}".into(),
+        words: "p = {}, n = {}",
         simple,
         // On a face of a cube, up to rounding, with the normal of the face.
         others: random(|r| {
@@ -39,7 +38,7 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![points.into()],
+        questions: points.into(),
         picture: Picture::own(|checkerboard: &Code, settings| {
             let eye = Eye {
                 from: [3.0, 4.0, 7.0],
@@ -50,21 +49,12 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         wrong: vec![
-            Other::from_right("just below is not far below", |right| {
-                Arc::new(move |p, n| right(p - Vector3::from(n) * 0.1, NONE))
-            }),
-            Other::from_right("a cast cuts off: -0.5 and 0.5 become 0", |right| {
-                Arc::new(move |p, n| {
+            Other::new("a cast cuts off: -0.5 and 0.5 become 0", |p, n| {
                     let below = p - Vector3::from(n) * 1e-6;
                     right(Point3::from_glam(below.to_glam().trunc()), NONE)
-                })
-            }),
-            Other::from_right("on a face, rounding chooses the cube", |right| {
-                Arc::new(move |p, _| right(p, NONE))
-            }),
-            Other::from_right("below the surface is against the normal", |right| {
-                Arc::new(move |p, n| right(p, -n))
-            }),
+                }),
+            Other::new("on a face, rounding chooses the cube", |p, _| right(p, NONE)),
+            Other::new("below the surface is against the normal", |p, n| right(p, -n)),
         ],
         ..Exercise::default()
     }

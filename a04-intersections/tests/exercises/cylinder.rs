@@ -6,7 +6,6 @@ yours! { Cylinder => new_shape(|(r, height)| Cylinder::new(r, height)) }
 
 /// Makes a tube of a radius and a height.
 type Code = NewShape<(f64, f64)>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let eye = Eye {
@@ -15,26 +14,12 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown((1.0, 2.0), eye),
-        wrong: vec![Other::from_right(
-            "rim and bottom belong to the tube",
-            |right| {
-                new_shape(move |(r, height)| {
-                    let tube = right((r, height))?;
-                    Ok(own(move |ray: &Ray, within| {
-                        let is_between = |y| 0.0 < y && y < height;
-                        tube.hit(ray, within)
-                            .filter(|hit| is_between(ray.at(hit.t).y()))
-                    }))
-                })
-            },
-        )],
         ..shapes(Shapes {
             words: "tube of radius {} and height {}",
             first: (1.0, 2.0),
             further: vec![(2.0, 0.5)],
             on_surface: vec![[1.0, 1.0, 0.0], [0.0, 0.5, -1.0], [0.0, 2.0, 1.0]],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |(_, height)| [0.0, height / 2.0, 0.0],
             any: |r| (r.between(0.1, 5.0), r.between(0.1, 9.0)),
         })

@@ -29,7 +29,7 @@ pub fn exercise() -> Exercise<Code> {
         }
     }
     let spheres = Questions {
-        words: "sphere around {} of radius {}, ray from {} along {}".into(),
+        words: "sphere around {} of radius {}, ray from {} along {}",
         simple,
         others: random(|r| {
             let (c, o, length) = (r.triple(5.0), r.triple(5.0), r.scale());
@@ -43,7 +43,7 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![spheres.into()],
+        questions: spheres.into(),
         wrong: vec![
             Other::new("a ray has nothing behind its origin", |c, r, ray| {
                 (ray.at(ray.t_of(c)) - c).magnitude() <= r

@@ -18,7 +18,7 @@ fn right(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usiz
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        questions: vec![questions()],
+        questions: questions(),
         picture: Picture::scene("scene-5", |nearest: &Code, settings| {
             let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
             let color = |ray: &Ray| {
@@ -87,7 +87,7 @@ fn questions() -> Vec<CodeQuestion<Code>> {
         }
     }
     let questions = Questions {
-        words: format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
+        words: format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}").leak(),
         simple,
         others,
         answer: |nearest: &Code, (zs, ray): ([f64; 3], RayWithin)| {

@@ -46,7 +46,6 @@ pub fn exercise() -> Exercise<Code> {
                 ([[0.0; 3], [0.0, 0.0, -1e18], [0.0, 1e18, 0.0]], 1.0),
             ],
             any: |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.5, 9.0)),
-            section: "a04-intersections.md#the-orthographic-camera",
         })
     }
 }

@@ -11,11 +11,6 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-1", scene_1, ([0.0, -1.0, 0.0], [0.0, 1.0, 0.0])),
-        remark: Some(|new: &Code| {
-            corpus("plane", &|x: &[f64]| {
-                new(([x[0], x[1], x[2]], [x[3], x[4], x[5]]))
-            })
-        }),
         wrong: vec![
             Other::from_right("a plane need not pass through the origin", |right| {
                 new_shape(move |(_, n)| right(([0.0; 3], n)))
@@ -34,7 +29,6 @@ pub fn exercise() -> Exercise<Code> {
             ],
             on_surface: vec![[0.0, 1.0, 0.0], [3.0, 1.0, -4.0]],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |(a, _)| *a,
             any: |r| (r.triple(5.0), r.triple(5.0)),
         })

@@ -1,12 +1,11 @@
 //! Texts that are right, broken, and random, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::read_obj::read_obj as right;
 
-yours! { read_obj => std::sync::Arc::new(read_obj) }
+yours! { read_obj }
 
-type Code = Arc<dyn Fn(&str) -> Result<Vec<Triangle>, String> + Send + Sync>;
+type Code = fn(&str) -> Result<Vec<Triangle>, String>;
 type Other = Variant<Code>;
 
 /// Lines after three corners.
@@ -40,7 +39,7 @@ f 1 2 3 4 5\nf 10 9 8 7 6\nf 2 7 8 3\nf 6 1 5 10\nf 3 8 9 4\nf 4 9 10 5
 
 pub fn exercise() -> Exercise<Code> {
     let texts = Questions {
-        words: "the text {}".into(),
+        words: "the text {}",
         simple: LINES
             .map(|line| format!("v 0 0 0\nv 4 0 0\nv 0 5e-1 -3\n{line}\n"))
             .to_vec(),
@@ -48,7 +47,7 @@ pub fn exercise() -> Exercise<Code> {
         answer: |read_obj: &Code, text: String| answer(read_obj(&text)),
     };
     Exercise {
-        questions: vec![texts.into()],
+        questions: texts.into(),
         picture: Picture::own(|read_obj: &Code, settings| {
             let house = read_obj(HOUSE).into_iter().flatten();
             let house = house.map(|triangle| Box::new(triangle) as Shape);
@@ -59,15 +58,9 @@ pub fn exercise() -> Exercise<Code> {
             eye.show_shapes(house, settings)
         }),
         wrong: vec![
-            Other::from_right("n corners make n - 2 triangles", |right| {
-                Arc::new(move |text| Ok(right(text)?.into_iter().take(1).collect()))
-            }),
-            Other::from_right("lines are counted from 1", |right| {
-                Arc::new(move |text| right(text).map_err(|error| error.replace("line 4", "line 3")))
-            }),
-            Other::from_right("vt and vn are no corners", |right| {
-                Arc::new(move |text| right(&text.replace("vt ", "v ")))
-            }),
+            Other::new("n corners make n - 2 triangles", |text| Ok(right(text)?.into_iter().take(1).collect())),
+            Other::new("lines are counted from 1", |text| right(text).map_err(|error| error.replace("line 4", "line 3"))),
+            Other::new("vt and vn are no corners", |text| right(&text.replace("vt ", "v "))),
         ],
         ..Exercise::default()
     }

@@ -10,7 +10,7 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     let (a, up) = ([7.0, -1.0, 0.0], [0.0, 1.0, 0.0]);
     let points = Questions {
-        words: "a, n and p {}".into(),
+        words: "a, n and p {}",
         simple: vec![
             [a, up, [0.0, 0.0, 0.0]],
             [a, up, [0.0, -3.0, 5.0]],
@@ -25,7 +25,7 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![points.into()],
+        questions: points.into(),
         wrong: vec![
             Other::new("n may have any length: divide by it", |a, n, p| {
                 (p - a).dot(n)
@@ -33,10 +33,6 @@ pub fn exercise() -> Exercise<Code> {
             Other::new("n · n is the length squared", |a, n, p| {
                 (p - a).dot(n) / n.dot(n)
             }),
-            Other::new(
-                "the distance from the plane is not that from a",
-                |a, n, p| Vector3::magnitude(p - a).copysign((p - a).dot(n)),
-            ),
         ],
         ..Exercise::default()
     }

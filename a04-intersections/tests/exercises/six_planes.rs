@@ -26,19 +26,6 @@ pub fn exercise() -> Exercise<Code> {
                     }))
                 })
             }),
-            Other::from_right("the nearest plane counts, not the last", |right| {
-                changed(right, |planes, ray, within| {
-                    let hit = planes.hit(ray, within)?;
-                    let further = planes.hit(
-                        ray,
-                        Interval {
-                            min: hit.t,
-                            ..within
-                        },
-                    );
-                    further.or(Some(hit))
-                })
-            }),
         ],
         ..shapes(boxes())
     }

@@ -10,7 +10,6 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-2", scene_2, ([0.0, 0.0, -3.0], 0.5)),
-        remark: Some(|new: &Code| corpus("sphere", &|x: &[f64]| new(([x[0], x[1], x[2]], x[3])))),
         wrong: vec![
             Other::new(
                 "from inside, only the far root is ahead",
@@ -39,7 +38,6 @@ pub fn exercise() -> Exercise<Code> {
             further: vec![([1.0, 0.0, 0.5], 2.0), ([0.0; 3], 1.0 / 1_073_741_824.0)],
             on_surface: vec![[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |(c, _)| *c,
             any: |r| (r.triple(5.0), r.between(0.2, 4.0)),
         })

@@ -6,7 +6,6 @@ yours! { Torus => new_shape(|(ring, r)| Torus::new(ring, r)) }
 
 /// Makes a torus of the radii of its circle and its tube.
 type Code = NewShape<(f64, f64)>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let eye = Eye {
@@ -15,21 +14,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown((2.0, 0.5), eye),
-        wrong: vec![Other::from_right(
-            "fixed steps pass over what is thinner",
-            |right| {
-                new_shape(move |(ring, r)| {
-                    let torus = right((ring, r))?;
-                    Ok(own(move |ray: &Ray, within| {
-                        let hit = torus.hit(ray, within)?;
-                        // In and out again within a quarter of the radius.
-                        let max = hit.t + r / 4.0 / ray.direction().magnitude();
-                        let next = torus.hit(ray, Interval { min: hit.t, max });
-                        next.is_none().then_some(hit)
-                    }))
-                })
-            },
-        )],
         ..shapes(Shapes {
             words: "circle of radius {}, tube of radius {}",
             // No simple ray just touches it: a right march may pass over that point.
@@ -37,7 +21,6 @@ pub fn exercise() -> Exercise<Code> {
             further: vec![],
             on_surface: vec![],
             own_rays: vec![],
-            is_found_by_steps: true,
             middle: |(ring, _)| [*ring, 0.0, 0.0],
             any: |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
         })

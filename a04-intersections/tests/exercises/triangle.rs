@@ -14,11 +14,6 @@ pub fn exercise() -> Exercise<Code> {
     let corners = [[-0.5, 0.5, -3.0], [0.5, 0.5, -3.0], [0.5, -0.5, -3.0]];
     Exercise {
         picture: scene("scene-4", scene_4, corners),
-        remark: Some(|new: &Code| {
-            corpus("triangle", &|x: &[f64]| {
-                new([0, 3, 6].map(|i| [x[i], x[i + 1], x[i + 2]]))
-            })
-        }),
         wrong: vec![
             Other::new(
                 "edges belong to the triangle",
@@ -49,7 +44,6 @@ pub fn exercise() -> Exercise<Code> {
             ],
             on_surface: vec![[0.5, 0.5, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0]],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |[a, b, c]| [0, 1, 2].map(|k| (a[k] + b[k] + c[k]) / 3.0),
             any: |r| [(); 3].map(|()| r.triple(5.0)),
         })

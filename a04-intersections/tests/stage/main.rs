@@ -5,7 +5,6 @@
 
 mod axis_aligned_box;
 mod contact;
-mod corpus;
 mod engine;
 mod every_shape;
 mod extreme_scenes;

@@ -4,20 +4,20 @@ use crate::prelude::*;
 
 yours! {
     directional_light => light_at(|(c, direction), _| {
-        directional_light(color(c), vector(direction))
+        directional_light(c, vector(direction))
     })
 }
 
-type Code = LightAt<([f64; 3], [f64; 3])>;
+type Code = LightAt<(Color, [f64; 3])>;
 type Other = Variant<Code>;
 
-const COLOR: [f64; 3] = [1.0, 0.5, 0.25];
+const COLOR: Color = Color::new(1.0, 0.5, 0.25);
 
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
         view: scenes::phong_directional,
         name: "DirectionalLight",
-        light: ([1.0; 3], [-1.0; 3]),
+        light: (Color::WHITE, [-1.0; 3]),
     };
     Exercise {
         picture: Picture::scene("phong-directional", move |light, settings| {
@@ -26,9 +26,9 @@ pub fn exercise() -> Exercise<Code> {
         wrong: vec![Other::from_right(
             "a direction without a length leads nowhere",
             |right| {
-                light_at(move |(c, direction): ([f64; 3], [f64; 3]), p| {
+                light_at(move |(c, direction), p| {
                     let nowhere = Illumination {
-                        color: color(c),
+                        color: c,
                         direction: vector(direction),
                         distance: f64::INFINITY,
                     };
@@ -47,7 +47,7 @@ pub fn exercise() -> Exercise<Code> {
             others: vec![],
             any: |r| {
                 let length = r.scale();
-                (channels(r), r.triple(5.0).map(|x| x * length))
+                (r.color(), r.triple(5.0).map(|x| x * length))
             },
         }])
     }

@@ -2,34 +2,34 @@
 
 use crate::prelude::*;
 
-yours! { fading_light => light_at(|(c, lamp), p| fading_light(color(c), point(lamp), p)) }
+yours! { fading_light => light_at(|(c, lamp), p| fading_light(c, point(lamp), p)) }
 
-type Code = LightAt<([f64; 3], [f64; 3])>;
+type Code = LightAt<(Color, [f64; 3])>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
         view: scenes::phong,
         name: "",
-        light: ([2.5; 3], [0.2, 2.2, 1.5]),
+        light: (Color::gray(2.5), [0.2, 2.2, 1.5]),
     };
     Exercise {
         picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
         wrong: vec![Other::from_right(
             "twice as far away is a quarter, not half",
             |right| {
-                light_at(move |(c, lamp): ([f64; 3], _), p| {
+                light_at(move |(c, lamp), p| {
                     let distance = (point(lamp) - p).magnitude();
-                    right((c.map(|channel| channel * distance), lamp), p)
+                    right((c * distance, lamp), p)
                 })
             },
         )],
         ..lights([Lights {
             words: "lamp {} at {}",
-            first: ([1.0, 0.5, 0.25], LAMP),
+            first: (Color::new(1.0, 0.5, 0.25), LAMP),
             simple: vec![],
             others: vec![],
-            any: |r| (channels(r), r.triple(5.0)),
+            any: |r| (r.color(), r.triple(5.0)),
         }])
     }
 }

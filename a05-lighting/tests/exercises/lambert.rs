@@ -3,17 +3,17 @@
 use crate::prelude::*;
 
 yours! {
-    lambert => shading(|diffuse, ray, hit, lighting| lambert(color(diffuse), ray, hit, lighting))
+    lambert => shading(lambert)
 }
 
-type Code = Shading<[f64; 3]>;
+type Code = Shading<Color>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::scene("lambert", |lambert: &Code, settings| {
             shaded(scenes::lambert()?, settings, |diffuse, ray, hit, lights| {
-                lambert(diffuse.channels(), ray, hit, lights)
+                lambert(diffuse, ray, hit, lights)
             })
         }),
         wrong: vec![
@@ -25,8 +25,8 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..materials([Materials {
             words: "diffuse {}",
-            first: [1.0, 0.5, 0.0],
-            any: channels,
+            first: Color::new(1.0, 0.5, 0.0),
+            any: Random::color,
         }])
     }
 }
@@ -34,7 +34,6 @@ pub fn exercise() -> Exercise<Code> {
 /// The sum over the lights, with a fraction that follows from each cosine.
 fn textbook(fraction: fn(f64) -> f64) -> Code {
     shading(move |diffuse, ray, hit, lighting| {
-        let diffuse = color(diffuse);
         sum(diffuse, ray, hit, lighting, |light| {
             diffuse * fraction(hit.normal.dot(light.direction)) * light.color
         })

@@ -2,13 +2,29 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
+mod light;
+mod material;
+mod seen;
+mod shown;
+
 /// All names that checks, examples and students' files use.
 #[allow(unused_imports, ambiguous_glob_reexports)]
 mod prelude {
-    pub use a05_kinds::light::*;
-    pub use a05_kinds::material::*;
-    pub use a05_kinds::prelude::*;
-    pub use a05_kinds::seen::*;
+    pub use a02_math::arrays::{array, point, unit, vector};
+    pub use a02_math::*;
+    pub use a03_rays_cameras::*;
+    pub use a04_intersections::*;
+    pub use a05_lighting::{scenes, *};
+    pub use common::*;
+    pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
+    pub use testing::yours;
+
+    pub use crate::light::*;
+    pub use crate::material::*;
+    pub use crate::seen::*;
+    pub use crate::shown::*;
 }
 
 testing::exercises! {

@@ -4,19 +4,18 @@ use crate::prelude::*;
 
 yours! {
     phong => shading(|(colors, exponent): ([_; 2], _), ray, hit, lighting| {
-        phong(colors.map(color), exponent, ray, hit, lighting)
+        phong(colors, exponent, ray, hit, lighting)
     })
 }
 
-type Code = Shading<([[f64; 3]; 2], f64)>;
+type Code = Shading<([Color; 2], f64)>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::scene("phong", |phong: &Code, settings| {
             shaded(scenes::phong()?, settings, |diffuse, ray, hit, lights| {
-                let colors = [diffuse.channels(), [1.0; 3]];
-                phong((colors, 64.0), ray, hit, lights)
+                phong(([diffuse, Color::WHITE], 64.0), ray, hit, lights)
             })
         }),
         wrong: vec![
@@ -60,8 +59,8 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..materials([Materials {
             words: "diffuse and specular {}, exponent {}",
-            first: ([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], 2.0),
-            any: |r| ([channels(r), channels(r)], r.between(0.5, 40.0)),
+            first: ([Color::RED, Color::BLUE], 2.0),
+            any: |r| ([r.color(), r.color()], r.between(0.5, 40.0)),
         }])
     }
 }
@@ -88,8 +87,7 @@ fn right(lit: &Lit, exponent: f64) -> f64 {
 
 /// The sum over the lights, with a highlight that follows from the directions and the exponent.
 fn textbook(highlight: fn(&Lit, f64) -> f64) -> Code {
-    shading(move |(colors, exponent): ([_; 2], _), ray, hit, lighting| {
-        let [diffuse, specular] = colors.map(color);
+    shading(move |([diffuse, specular], exponent): ([_; 2], _), ray, hit, lighting| {
         sum(diffuse, ray, hit, lighting, |light| {
             let lit = Lit {
                 normal: hit.normal,

@@ -2,22 +2,14 @@
 
 use crate::prelude::*;
 
-yours! { point_light => light_at(|(c, lamp), p| point_light(color(c), point(lamp), p)) }
+yours! { point_light => light_at(|(c, lamp), p| point_light(c, point(lamp), p)) }
 
-type Code = LightAt<([f64; 3], [f64; 3])>;
+type Code = LightAt<(Color, [f64; 3])>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
-    let lit = Lit {
-        view: scenes::phong,
-        name: "PointLight",
-        light: ([1.0; 3], [4.0; 3]),
-    };
     Exercise {
-        picture: Picture::scene("phong", move |light, settings| {
-            lit.rendered(light, settings)
-        }),
-        drawing: drawing(three_lamps),
+        picture: Picture::own(three_lamps),
         wrong: vec![Other::from_right(
             "this lamp is as bright at every distance",
             |right| {
@@ -33,10 +25,10 @@ pub fn exercise() -> Exercise<Code> {
         )],
         ..lights([Lights {
             words: "light {} at {}",
-            first: ([1.0, 0.5, 0.25], LAMP),
+            first: (Color::new(1.0, 0.5, 0.25), LAMP),
             simple: vec![],
             others: vec![],
-            any: |r| (channels(r), r.triple(5.0)),
+            any: |r| (r.color(), r.triple(5.0)),
         }])
     }
 }
@@ -53,9 +45,9 @@ fn three_lamps(light: &Code, settings: &Settings) -> Result<Image, Error> {
     let (gaze, up) = (Point3::ORIGIN - eye, Vector3::new(0.0, 1.0, 0.0));
     let camera = PerspectiveCamera::new(eye, gaze, up, 0.75)?;
     let lamps = [
-        ([0.8, 0.1, 0.1], [-1.7, 1.2, 1.0]),
-        ([0.1, 0.7, 0.1], [1.7, 1.2, 1.0]),
-        ([0.1, 0.2, 0.9], [0.0, 1.5, -2.0]),
+        (Color::new(0.8, 0.1, 0.1), [-1.7, 1.2, 1.0]),
+        (Color::new(0.1, 0.7, 0.1), [1.7, 1.2, 1.0]),
+        (Color::new(0.1, 0.2, 0.9), [0.0, 1.5, -2.0]),
     ];
     let seen = |ray: &Ray| {
         let mut sum = world.background();

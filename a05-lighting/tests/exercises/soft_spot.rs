@@ -4,23 +4,23 @@ use crate::prelude::*;
 
 yours! {
     soft_spot => light_at(|(c, lamp, direction, angles), p| {
-        soft_spot(color(c), point(lamp), vector(direction), angles, p)
+        soft_spot(c, point(lamp), vector(direction), angles, p)
     })
 }
 
 type Code = LightAt<Spot>;
 
 /// Colour, place and direction of a lamp, and the inner and the outer angle.
-type Spot = ([f64; 3], [f64; 3], [f64; 3], [f64; 2]);
+type Spot = (Color, [f64; 3], [f64; 3], [f64; 2]);
 
-const COLOR: [f64; 3] = [1.0, 0.5, 0.25];
+const COLOR: Color = Color::new(1.0, 0.5, 0.25);
 const ANGLES: [f64; 2] = [0.5, 1.0];
 
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
         view: scenes::phong_spot,
         name: "",
-        light: ([1.0; 3], [4.0; 3], [-1.0; 3], [0.1, 0.3]),
+        light: (Color::WHITE, [4.0; 3], [-1.0; 3], [0.1, 0.3]),
     };
     Exercise {
         picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
@@ -40,7 +40,7 @@ pub fn exercise() -> Exercise<Code> {
 fn any(r: &mut Random) -> Spot {
     let inner = r.between(0.0, 1.4);
     let angles = [inner, inner + r.between(0.05, 1.6)];
-    (channels(r), r.triple(5.0), r.triple(5.0), angles)
+    (r.color(), r.triple(5.0), r.triple(5.0), angles)
 }
 
 /// Points on the axis, and just inside and outside of the angles.

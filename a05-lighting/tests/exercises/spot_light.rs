@@ -6,7 +6,7 @@ use crate::prelude::*;
 
 yours! {
     spot_light => light_at(|(c, lamp, axis, half_angle), p| {
-        spot_light(color(c), point(lamp), unit(axis), half_angle, p)
+        spot_light(c, point(lamp), unit(axis), half_angle, p)
     })
 }
 
@@ -14,13 +14,13 @@ type Code = LightAt<Cone>;
 type Other = Variant<Code>;
 
 /// Colour, place and axis of a lamp, and the half angle.
-type Cone = ([f64; 3], [f64; 3], [f64; 3], f64);
+type Cone = (Color, [f64; 3], [f64; 3], f64);
 
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
         view: scenes::phong_spot,
         name: "SpotLight",
-        light: ([1.0; 3], [4.0; 3], [-1.0; 3], PI / 14.0),
+        light: (Color::WHITE, [4.0; 3], [-1.0; 3], PI / 14.0),
     };
     Exercise {
         picture: Picture::scene("phong-spot", move |light, settings| {
@@ -46,7 +46,7 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..lights([1.0, PI].map(|half_angle| Lights {
             words: "light {} at {}, axis {}, half angle {}",
-            first: ([1.0, 0.5, 0.25], LAMP, [0.0, -1.0, 0.0], half_angle),
+            first: (Color::new(1.0, 0.5, 0.25), LAMP, [0.0, -1.0, 0.0], half_angle),
             simple: vec![],
             others: at_borders(),
             any,
@@ -56,7 +56,7 @@ pub fn exercise() -> Exercise<Code> {
 
 fn any(r: &mut Random) -> Cone {
     let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
-    (channels(r), lamp, array(unit(axis)), r.between(0.05, 3.1))
+    (r.color(), lamp, array(unit(axis)), r.between(0.05, 3.1))
 }
 
 /// Points on the axis, and just inside and outside of the cone.
@@ -81,7 +81,7 @@ fn angle(cosine: f64) -> f64 {
 /// cosine, and the half angle.
 fn textbook(angle: fn(f64) -> f64, accepts: fn(f64, f64) -> bool) -> Code {
     light_at(move |(c, lamp, axis, half_angle), p| {
-        let light = PointLight::new(color(c), point(lamp))
+        let light = PointLight::new(c, point(lamp))
             .ok()?
             .illumination(p)?;
         let cosine = unit(axis).dot(-light.direction);

@@ -21,27 +21,7 @@ pub struct Departure {
     pub direction: [f64; 3],
 }
 
-impl Input for Departure {
-    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
-        self.normal.for_each_number(f);
-        self.size.for_each_number(f);
-        self.point.for_each_number(f);
-        self.to_eye.for_each_number(f);
-        self.direction.for_each_number(f);
-    }
-
-    fn words(&self) -> Vec<String> {
-        [
-            self.shape.words(),
-            self.normal.words(),
-            self.size.words(),
-            self.point.words(),
-            self.to_eye.words(),
-            self.direction.words(),
-        ]
-        .concat()
-    }
-}
+input! { Departure: shape, normal, size, point, to_eye, direction }
 
 impl Departure {
     /// A random one: steep and grazing, outwards and inwards.

@@ -1,14 +1,12 @@
 //! Rays that leave shapes of all sizes, near the origin and far away, steep and grazing, to
 //! both sides, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::departure::{Departure, Numbers, SHAPES};
 use crate::prelude::*;
 
-yours! { secondary_ray => std::sync::Arc::new(secondary_ray) }
+yours! { secondary_ray }
 
-type Code = Arc<dyn Fn(&Ray, &Hit, Vector3) -> Ray + Send + Sync>;
+type Code = fn(&Ray, &Hit, Vector3) -> Ray;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
@@ -29,66 +27,52 @@ pub fn exercise() -> Exercise<Code> {
     let mut others = random(Departure::any);
     others.extend(random(Departure::grazing));
     let departures = Questions {
-        words: "{} with normal {}, of size {}, at {} sizes, the eye {} sizes away, left along {}"
-            .into(),
+        words: "{} with normal {}, of size {}, at {} sizes, the eye {} sizes away, left along {}",
         simple,
         others,
-        answer: |secondary_ray: &Code, departure: Departure| departure.answer(&**secondary_ray),
+        answer: |secondary_ray: &Code, departure: Departure| departure.answer(secondary_ray),
     };
     Exercise {
-        questions: vec![departures.into()],
-        picture: Picture::scene("sphere", |secondary_ray: &Code, settings| {
-            traced_picture(scenes::sphere()?, settings, |world, ray, depth| {
-                let tracer = Tracer {
-                    world,
-                    is_shadowed: &is_shadowed,
-                    secondary_ray: &**secondary_ray,
-                };
-                tracer.trace(ray, depth)
-            })
-        }),
-        drawing: drawing(two_sizes),
+        questions: departures.into(),
+        picture: Picture::own(two_sizes),
         wrong: vec![
-            Other::new("no length is fixed", offset(face, |_| 1e-9)),
-            Other::new(
-                "the errors of the coordinates count, too",
-                offset(face, |at| 1e-12 * at.t),
-            ),
-            Other::new(
-                "the error of t counts, too",
-                offset(face, |at| 1e-12 * at.point),
-            ),
-            Other::new(
-                "a grazing ray does not leave along itself",
-                offset(|_, direction| direction, largest),
-            ),
+            Other::new("no length is fixed", |ray, hit, direction| {
+                offset(ray, hit, direction, hit.geometric_normal.into(), 1e-9)
+            }),
+            Other::new("the errors of the coordinates count, too", |ray, hit, direction| {
+                let length = 1e-12 * hit.t;
+                offset(ray, hit, direction, hit.geometric_normal.into(), length)
+            }),
+            Other::new("the error of t counts, too", |ray, hit, direction| {
+                let length = 1e-12 * Numbers::of(ray, hit).point;
+                offset(ray, hit, direction, hit.geometric_normal.into(), length)
+            }),
+            Other::new("a grazing ray does not leave along itself", |ray, hit, direction| {
+                offset(ray, hit, direction, direction, largest(ray, hit))
+            }),
             Other::new(
                 "along itself, a grazing ray would have to go far",
-                offset(|_, direction| direction, |at| 1e-12 * at.sum()),
+                |ray, hit, direction| {
+                    let length = 1e-12 * Numbers::of(ray, hit).sum();
+                    offset(ray, hit, direction, direction, length)
+                },
             ),
-            Other::new(
-                "the face says where the surface is",
-                offset(|hit, _| hit.normal.into(), largest),
-            ),
+            Other::new("the face says where the surface is", |ray, hit, direction| {
+                offset(ray, hit, direction, hit.normal.into(), largest(ray, hit))
+            }),
         ],
         ..Exercise::default()
     }
 }
 
-/// The ray that is offset along this vector, by a length that follows from the numbers.
-fn offset(along: fn(&Hit, Vector3) -> Vector3, length: fn(&Numbers) -> f64) -> Code {
-    Arc::new(move |ray, hit, direction| {
-        let along = along(hit, direction);
-        let length = length(&Numbers::of(ray, hit)).copysign(along.dot(direction));
-        Ray::derived(ray.at(hit.t) + along * length, direction)
-    })
+/// The ray that is offset along this vector by this length.
+fn offset(ray: &Ray, hit: &Hit, direction: Vector3, along: Vector3, length: f64) -> Ray {
+    let length = length.copysign(along.dot(direction));
+    Ray::derived(ray.at(hit.t) + along * length, direction)
 }
 
-fn face(hit: &Hit, _: Vector3) -> Vector3 {
-    hit.geometric_normal.into()
-}
-
-fn largest(at: &Numbers) -> f64 {
+fn largest(ray: &Ray, hit: &Hit) -> f64 {
+    let at = Numbers::of(ray, hit);
     1e-14 * at.origin.max(at.point).max(at.t)
 }
 

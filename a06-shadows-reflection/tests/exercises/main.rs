@@ -9,9 +9,19 @@ mod traced;
 /// All names that checks, examples and students' files use.
 #[allow(unused_imports, ambiguous_glob_reexports)]
 mod prelude {
-    pub use crate::traced::*;
-    pub use a05_kinds::prelude::*;
+    pub use a02_math::arrays::{array, point, unit, vector};
+    pub use a02_math::*;
+    pub use a03_rays_cameras::*;
+    pub use a04_intersections::*;
+    pub use a05_lighting::*;
     pub use a06_shadows_reflection::{scenes, *};
+    pub use common::*;
+    pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
+    pub use testing::yours;
+
+    pub use crate::traced::*;
 }
 
 testing::exercises! {

@@ -1,12 +1,11 @@
 //! Rays in random worlds of mirrors, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::mirror::trace as right;
 
-yours! { trace => std::sync::Arc::new(trace) }
+yours! { trace }
 
-type Code = Arc<dyn Fn(&ShadowedWorld, &Ray, u32) -> Color + Send + Sync>;
+type Code = fn(&ShadowedWorld, &Ray, u32) -> Color;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
@@ -16,18 +15,18 @@ pub fn exercise() -> Exercise<Code> {
     for depth in [1, 2, 0, 5] {
         for d in directions {
             let ball = ([0.0, 1.0, 0.0], 1.0);
-            simple.push((ball, [0.5, 0.5, 1.0], [[0.0, 4.0, 4.0], d], depth));
+            simple.push((ball, Color::new(0.5, 0.5, 1.0), [[0.0, 4.0, 4.0], d], depth));
         }
     }
     let rays = Questions {
         words: "a ball around {} of radius {}, everything mirrors {}, ray from and along {}, \
-            depth {}"
-            .into(),
+            depth {}",
         simple,
         others: random(|r| {
             let ball = (r.triple(3.0), r.between(0.2, 2.0));
             let [x, y, _] = r.triple(3.0);
-            let reflection = [(); 3].map(|()| r.between(0.1, 1.0));
+            let [red, green, blue] = [(); 3].map(|()| r.between(0.1, 1.0));
+            let reflection = Color::new(red, green, blue);
             // From before the objects to a place among them.
             let origin = [x, y.abs() + 0.1, 6.0];
             let [u, v, w] = r.triple(4.0);
@@ -42,30 +41,26 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![rays.into(), between_two_mirrors()],
+        questions: all([rays.into(), between_two_mirrors()]),
         picture: Picture::scene("sphere", |trace: &Code, settings| {
             traced_picture(scenes::sphere()?, settings, |world, ray, depth| {
                 trace(world, ray, depth)
             })
         }),
         wrong: vec![
-            Other::from_right("the last surface mirrors black", |right| {
-                Arc::new(move |world, ray, depth| right(world, ray, depth + 1))
-            }),
-            Other::from_right("a mirror shows other mirrors, too", |right| {
-                Arc::new(move |world, ray, depth| right(world, ray, depth.min(2)))
-            }),
+            Other::new("the last surface mirrors black", |world, ray, depth| right(world, ray, depth + 1)),
+            Other::new("a mirror shows other mirrors, too", |world, ray, depth| right(world, ray, depth.min(2))),
             Other::new(
                 "a mirror reflects a part of the light, not all",
-                Arc::new(unweighted),
+                unweighted,
             ),
             Other::new(
                 "what a dark mirror reflects counts, too",
-                Arc::new(until_dark),
+                until_dark,
             ),
             Other::new(
                 "in a small world a step of fixed length leads through the next mirror",
-                Arc::new(|world, ray, depth| {
+                |world, ray, depth| {
                     let tracer = Tracer {
                         world,
                         is_shadowed: &is_shadowed,
@@ -74,16 +69,16 @@ pub fn exercise() -> Exercise<Code> {
                         },
                     };
                     tracer.trace(ray, depth)
-                }),
+                },
             ),
-            Other::new(
-                "a mirror is seen by its normal, not by its face",
-                reflected(|ray, hit| (-ray.direction()).reflected_on(hit.geometric_normal)),
-            ),
-            Other::new(
-                "the formula wants a vector away from the surface",
-                reflected(|ray, hit| ray.direction().reflected_on(hit.normal)),
-            ),
+            Other::new("a mirror is seen by its normal, not by its face", |world, ray, depth| {
+                reflected(world, ray, depth, |to_eye, hit| {
+                    to_eye.reflected_on(hit.geometric_normal)
+                })
+            }),
+            Other::new("the formula wants a vector away from the surface", |world, ray, depth| {
+                reflected(world, ray, depth, |to_eye, hit| (-to_eye).reflected_on(hit.normal))
+            }),
         ],
         ..Exercise::default()
     }
@@ -110,7 +105,7 @@ fn is_bent(world: &ShadowedWorld, ray: &Ray, depth: u32) -> bool {
 fn between_two_mirrors() -> Vec<CodeQuestion<Code>> {
     let mut simple = Vec::new();
     for height in [1.0, 5e-7, 1e6] {
-        for reflection in [[0.5, 0.25, 0.125], [0.1, 0.2, 0.05]] {
+        for reflection in [Color::new(0.5, 0.25, 0.125), Color::new(0.1, 0.2, 0.05)] {
             for depth in [2, 5, 9] {
                 simple.push((height, reflection, depth));
             }
@@ -118,8 +113,7 @@ fn between_two_mirrors() -> Vec<CodeQuestion<Code>> {
     }
     let rays = Questions {
         words: "mirrors y = 0 and y = {}, both reflect {}, ray from half way along [0.6, 0.8, 0], \
-            depth {}"
-            .into(),
+            depth {}",
         simple,
         others: vec![],
         answer: |trace: &Code, (height, reflection, depth)| {
@@ -165,14 +159,17 @@ fn until_dark(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
     sum
 }
 
-/// The recursion, whose reflected rays go along this direction.
-fn reflected(direction: fn(&Ray, &Hit) -> Vector3) -> Code {
-    Arc::new(move |world, ray, depth| {
-        let tracer = Tracer {
-            world,
-            is_shadowed: &is_shadowed,
-            secondary_ray: &|ray, hit, _| secondary_ray(ray, hit, direction(ray, hit)),
-        };
-        tracer.trace(ray, depth)
-    })
+/// The recursion, whose reflected rays go along this direction, by that to the eye.
+fn reflected(
+    world: &ShadowedWorld,
+    ray: &Ray,
+    depth: u32,
+    direction: fn(Vector3, &Hit) -> Vector3,
+) -> Color {
+    let tracer = Tracer {
+        world,
+        is_shadowed: &is_shadowed,
+        secondary_ray: &|ray, hit, _| secondary_ray(ray, hit, direction(-ray.direction(), hit)),
+    };
+    tracer.trace(ray, depth)
 }

@@ -1,18 +1,17 @@
 //! Surfaces between all indices, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::reflectance::reflectance as right;
 
-yours! { reflectance => std::sync::Arc::new(reflectance) }
+yours! { reflectance }
 
 /// The reflectance by the cosine and the indices before and beyond the surface.
-type Code = Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>;
+type Code = fn(f64, f64, f64) -> f64;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let surfaces = Questions {
-        words: "cosine and indices {}".into(),
+        words: "cosine and indices {}",
         simple: vec![
             [1.0, 1.0, 2.0],
             [0.5, 1.0, 2.0],
@@ -29,21 +28,14 @@ pub fn exercise() -> Exercise<Code> {
         answer: |reflectance: &Code, [cosine, from, to]: [_; 3]| reflectance(cosine, from, to),
     };
     Exercise {
-        questions: vec![surfaces.into()],
+        questions: surfaces.into(),
         picture: Picture::own(of_diamond),
         wrong: vec![
-            Other::from_right("Schlick's formula is only near to Fresnel's", |right| {
-                Arc::new(move |cosine, from, to| {
+            Other::new("Schlick's formula is only near to Fresnel's", |cosine, from, to| {
                     let straight = right(1.0, from, to);
                     straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
-                })
-            }),
-            Other::from_right("a fraction is the square of an amplitude", |right| {
-                Arc::new(move |cosine, from, to| right(cosine, from, to).sqrt())
-            }),
-            Other::from_right("where no light gets through, all is mirrored", |right| {
-                Arc::new(move |cosine, from, to| right(cosine, from, to) % 1.0)
-            }),
+                }),
+            Other::new("a fraction is the square of an amplitude", |cosine, from, to| right(cosine, from, to).sqrt()),
         ],
         ..Exercise::default()
     }

@@ -1,14 +1,13 @@
 //! Rays into glass and out of it, also just before and beyond total reflection, compared with
 //! the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::refracted::refracted as right;
 
-yours! { refracted => std::sync::Arc::new(refracted) }
+yours! { refracted }
 
 /// The direction beyond a surface: by the direction before, the normal, and the index.
-type Code = Arc<dyn Fn(Vector3, Normal3, f64) -> Option<Vector3> + Send + Sync>;
+type Code = fn(Vector3, Normal3, f64) -> Option<Vector3>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
@@ -21,7 +20,7 @@ pub fn exercise() -> Exercise<Code> {
         [0.28, 0.96],
     ];
     let rays = Questions {
-        words: "direction {}, normal {}, index {}".into(),
+        words: "direction {}, normal {}, index {}",
         simple: directions
             .map(|[x, y]| ([x, y, 0.0], [0.0, 1.0, 0.0], 2.0))
             .to_vec(),
@@ -39,26 +38,24 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![rays.into()],
+        questions: rays.into(),
         picture: Picture::own(under_water),
         wrong: vec![
             Other::new(
                 "the way out bends away from the normal",
-                Arc::new(|d, n, index| {
+                |d, n, index| {
                     let towards_light = if d.dot(n) > 0.0 { -n } else { n };
                     snell(d, towards_light, 1.0 / index)
-                }),
+                },
             ),
             Other::new(
                 "from inside, the normal points along the light",
-                Arc::new(|d, n, index| {
+                |d, n, index| {
                     let ratio = if d.dot(n) > 0.0 { index } else { 1.0 / index };
                     snell(d, n, ratio)
-                }),
+                },
             ),
-            Other::from_right("no sine is more than 1", |right| {
-                Arc::new(move |d, n, index| right(d, n, index).or(Some((-d).reflected_on(n))))
-            }),
+            Other::new("no sine is more than 1", |d, n, index| right(d, n, index).or(Some((-d).reflected_on(n)))),
         ],
         ..Exercise::default()
     }

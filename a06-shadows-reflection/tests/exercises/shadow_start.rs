@@ -1,14 +1,12 @@
 //! Points on triangles that stand for bulges and for hollows, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::coarse_ball;
 use crate::prelude::*;
 
-yours! { shadow_start => std::sync::Arc::new(shadow_start) }
+yours! { shadow_start }
 
 /// The start of the shadow rays, by the corners, their normals, and the weights of the point.
-type Code = Arc<dyn Fn(Corners, [Normal3; 3], [f64; 3]) -> Point3 + Send + Sync>;
+type Code = fn(Corners, [Normal3; 3], [f64; 3]) -> Point3;
 type Other = Variant<Code>;
 
 /// The corners of a triangle.
@@ -19,7 +17,7 @@ pub fn exercise() -> Exercise<Code> {
     let (left, up, right) = ([-0.6, 0.8, 0.0], [0.0, 1.0, 0.0], [0.6, 0.8, 0.0]);
     let half = [0.5, 0.5, 0.0];
     let points = Questions {
-        words: "corners {}, their normals {}, weights {}".into(),
+        words: "corners {}, their normals {}, weights {}",
         simple: vec![
             // On a flat triangle, in a corner and on an edge of a bulge, in a hollow, and where
             // only one corner is bent.
@@ -36,20 +34,20 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![points.into()],
+        questions: points.into(),
         picture: Picture::own(|shadow_start: &Code, settings| {
-            coarse_ball::picture(&**shadow_start, settings)
+            coarse_ball::picture(shadow_start, settings)
         }),
         wrong: vec![
-            Other::new(
-                "the curved surface lies above the triangle",
-                raised(|_| 0.0),
-            ),
-            Other::new("over a hollow the point stays", raised(|depth| depth)),
-            Other::new(
-                "below a plane the depth is positive",
-                raised(|depth| (-depth).max(0.0)),
-            ),
+            Other::new("the curved surface lies above the triangle", |corners, _, weights| {
+                mean(corners, weights)
+            }),
+            Other::new("over a hollow the point stays", |corners, normals, weights| {
+                raised(corners, normals, weights, |depth| depth)
+            }),
+            Other::new("below a plane the depth is positive", |corners, normals, weights| {
+                raised(corners, normals, weights, |depth| (-depth).max(0.0))
+            }),
         ],
         ..Exercise::default()
     }
@@ -71,14 +69,17 @@ fn mean([a, b, c]: Corners, weights: [f64; 3]) -> Point3 {
 }
 
 /// The start that rises from the depth below each corner's plane by another length.
-fn raised(rise: fn(f64) -> f64) -> Code {
-    Arc::new(move |corners, normals, weights| {
-        let p = mean(corners, weights);
-        let mut start = p;
-        for corner in 0..3 {
-            let depth = (corners[corner] - p).dot(normals[corner]);
-            start = start + Vector3::from(normals[corner]) * (weights[corner] * rise(depth));
-        }
-        start
-    })
+fn raised(
+    corners: Corners,
+    normals: [Normal3; 3],
+    weights: [f64; 3],
+    rise: fn(f64) -> f64,
+) -> Point3 {
+    let p = mean(corners, weights);
+    let mut start = p;
+    for corner in 0..3 {
+        let depth = (corners[corner] - p).dot(normals[corner]);
+        start = start + Vector3::from(normals[corner]) * (weights[corner] * rise(depth));
+    }
+    start
 }

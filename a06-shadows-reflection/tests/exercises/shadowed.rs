@@ -14,14 +14,13 @@ type Lit = ([f64; 3], ([f64; 3], f64), [f64; 3], f64);
 
 pub fn exercise() -> Exercise<Code> {
     let points = Questions {
-        words: "floor y = 0 at {}, ball around {} of radius {}, lamp towards {} at the distance {}"
-            .into(),
+        words: "floor y = 0 at {}, ball around {} of radius {}, lamp towards {} at the distance {}",
         simple: simple(),
         others: random(any),
         answer,
     };
     Exercise {
-        questions: vec![points.into()],
+        questions: points.into(),
         picture: Picture::scene("aab", |is_shadowed: &Code, settings| {
             traced_picture(scenes::aab()?, settings, |world, ray, depth| {
                 let tracer = Tracer {
@@ -138,7 +137,7 @@ fn answer(is_shadowed: &Code, (p, (centre, radius), to_lamp, distance): Lit) -> 
     };
     let to_eye = vector([3.0, 2.0, 1.0]) * size;
     let ray = Ray::new(point(p) + to_eye, -to_eye).ok()?;
-    let world = mirrors(centre, radius, [0.0; 3]).ok()?;
+    let world = mirrors(centre, radius, Color::BLACK).ok()?;
     let (hit, _) = world.objects().hit(&ray, Interval::AHEAD)?;
     let light = Illumination {
         direction: unit(to_lamp),

@@ -55,6 +55,16 @@ impl Lighting for Tracer<'_> {
     }
 }
 
+/// Renders a view in the colours of this function of the world, a ray, and the depth.
+pub fn rendered<W: Sync>(
+    view: &View<W>,
+    settings: &Settings,
+    color: impl Fn(&W, &Ray, u32) -> Color + Sync,
+) -> Result<Image, Error> {
+    let radiance = |ray: &Ray| color(&view.world, ray, settings.depth);
+    paint(&*view.camera, &radiance, settings)
+}
+
 /// Renders a view in the colours of this function of the world, a ray, and the depth; and records
 /// their steps.
 pub fn traced_picture(
@@ -69,8 +79,8 @@ pub fn traced_picture(
 }
 
 /// A floor y = 0, a ball and a smooth triangle that mirror, and a lamp.
-pub fn mirrors(centre: [f64; 3], radius: f64, reflection: [f64; 3]) -> Made<ShadowedWorld> {
-    let mirror = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
+pub fn mirrors(centre: [f64; 3], radius: f64, reflection: Color) -> Made<ShadowedWorld> {
+    let mirror = |own| Reflective::new(own, Color::WHITE, 8.0, reflection).map(Box::new);
     let lamp = PointLight::new(Color::WHITE, Point3::new(3.0, 9.0, 4.0))?;
     let triangle = smooth_triangle(point([0.0, 1.5, -4.0]), vector([0.0, -1.5, 3.0]), 2.0)?;
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
@@ -83,8 +93,8 @@ pub fn mirrors(centre: [f64; 3], radius: f64, reflection: [f64; 3]) -> Made<Shad
 }
 
 /// A floor y = 0 and a ceiling at this height, which face each other and mirror.
-pub fn two_mirrors(height: f64, reflection: [f64; 3]) -> Made<ShadowedWorld> {
-    let mirror = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
+pub fn two_mirrors(height: f64, reflection: Color) -> Made<ShadowedWorld> {
+    let mirror = |own| Reflective::new(own, Color::WHITE, 8.0, reflection).map(Box::new);
     let up = Normal3::new(0.0, 1.0, 0.0);
     let floor = Plane::new(Point3::ORIGIN, up)?;
     let ceiling = Plane::new(Point3::new(0.0, height, 0.0), up)?;

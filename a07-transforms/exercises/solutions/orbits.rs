@@ -19,7 +19,7 @@ pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
 testing::examples! {
     let places = |year, month| {
         let bodies = orbits(year, month).unwrap();
-        bodies.map(|body| (body.matrix() * Point3::ORIGIN).to_glam().to_array())
+        bodies.map(|body| array(body.matrix() * Point3::ORIGIN))
     };
     assert_close!(places(0.0, 0.0), [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
     assert_close!(places(0.0, FRAC_PI_2).concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);

@@ -20,7 +20,7 @@ pub fn rotation(axis: Vector3, angle: f64) -> Result<Transform, ArgumentError> {
 testing::examples! {
     let quarter = |axis: Vector3, v: Vector3| {
         let turn = rotation(axis, FRAC_PI_2).unwrap();
-        (turn.matrix() * v).to_glam().to_array()
+        array(turn.matrix() * v)
     };
     let [x, y, z] = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
         .map(|(x, y, z)| Vector3::new(x, y, z));

@@ -41,7 +41,7 @@ testing::examples! {
     assert_close!(array(inner.direction()), [-1.0, 0.0, 0.0]);
     let normal = |x, y| {
         let n = normal_from_object(&wide, Normal3::new(x, y, 0.0)).unwrap();
-        n.to_glam().to_array()
+        array(n)
     };
     assert_close!(normal(1.0, 0.0), [1.0, 0.0, 0.0]);
     assert_close!(normal(0.8, 0.3), [0.8, 0.6, 0.0]);

@@ -16,7 +16,7 @@ pub fn exercise() -> Exercise<Code> {
     let (turn, step) = (Step::Rotate(2, FRAC_PI_2), Step::Translate([2.0, 0.0, 0.0]));
     let p = [1.0, 0.0, 0.0];
     let chains = Questions {
-        words: "chain {}, p = {}".into(),
+        words: "chain {}, p = {}",
         simple: vec![
             (vec![], p),
             (vec![step], p),
@@ -25,12 +25,12 @@ pub fn exercise() -> Exercise<Code> {
         ],
         others: random(|r| (Step::random(r), r.triple(3.0))),
         answer: |chain: &Code, (steps, p): (Vec<Step>, _)| {
-            let [p, back] = chain(&steps).map(|matrix| (matrix * point(p)).to_glam().to_array());
+            let [p, back] = chain(&steps).map(|matrix| array(matrix * point(p)));
             Answer::named("the matrix times p", p).and("the inverse times p", back)
         },
     };
     Exercise {
-        questions: vec![chains.into()],
+        questions: chains.into(),
         picture: BOX_SCENE.with(|chain: &Code, world| {
             let [_, inverse] = chain(&steps_of_box());
             Ok(world.with(under_inverse(upright_box()?, inverse), yellow()?))

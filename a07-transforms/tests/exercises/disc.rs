@@ -26,11 +26,6 @@ pub fn exercise() -> Exercise<Code> {
             let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
             Ok(world.with(plane, Box::new(red)).with(disc, Box::new(green)))
         }),
-        remark: Some(|new: &Code| {
-            corpus("disc", &|x: &[f64]| {
-                new(([x[0], x[1], x[2]], [x[3], x[4], x[5]], x[6]))
-            })
-        }),
         wrong: vec![
             Other::new(
                 "the rim belongs to the disc",
@@ -50,7 +45,6 @@ pub fn exercise() -> Exercise<Code> {
             ],
             on_surface: vec![[0.0; 3], [1.0, 0.0, -1.0], [2.0, 0.0, 0.0]],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |(c, _, _)| *c,
             any: |r| (r.triple(3.0), r.triple(5.0), r.between(0.5, 4.0)),
         })

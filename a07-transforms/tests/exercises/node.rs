@@ -31,14 +31,7 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: BOX_SCENE.with(|new: &Code, world| {
-            let node = new(Parts {
-                steps: steps_of_box().to_vec(),
-                children: || Ok(vec![Box::new(upright_box()?)]),
-            })?;
-            Ok(world.with(node, yellow()?))
-        }),
-        drawing: drawing(flower),
+        picture: Picture::own(flower),
         wrong: vec![
             Other::new(
                 "the nearest counts, not the first of the list",
@@ -88,7 +81,6 @@ pub fn exercise() -> Exercise<Code> {
                 [0.0, 0.0, 2.0],
             ],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |parts| array(transform(&parts.steps).matrix() * Point3::ORIGIN),
             any: |r| Parts {
                 steps: Step::random(r),

@@ -8,7 +8,6 @@ yours! {
 
 /// Makes a ring of centre, normal, and the radii of its hole and its rim.
 type Code = NewShape<([f64; 3], [f64; 3], f64, f64)>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let eye = Eye {
@@ -17,19 +16,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit(eye, saturn),
-        wrong: vec![Other::from_right(
-            "both borders belong to the ring",
-            |right| {
-                new_shape(move |(c, n, hole, r)| {
-                    let ring = right((c, n, hole, r))?;
-                    Ok(own(move |ray: &Ray, within| {
-                        let hit = ring.hit(ray, within)?;
-                        let distance = (ray.at(hit.t) - point(c)).magnitude();
-                        (hole < distance && distance < r).then_some(hit)
-                    }))
-                })
-            },
-        )],
         ..shapes(Shapes {
             words: "ring around {}, normal {}, from {} to {}",
             first: ([0.0; 3], [0.0, 1.0, 0.0], 1.0, 3.0),
@@ -39,7 +25,6 @@ pub fn exercise() -> Exercise<Code> {
             ],
             on_surface: vec![[2.0, 0.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 1.0]],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |(c, _, _, _)| *c,
             any: |r| {
                 let (hole, width) = (r.between(0.5, 2.0), r.between(0.5, 2.0));

@@ -1,17 +1,16 @@
 //! Rotations about all axes, compared with the solution.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
+use crate::solutions::rotation::rotation as right;
 
-yours! { rotation => std::sync::Arc::new(rotation) }
+yours! { rotation }
 
-type Code = Arc<dyn Fn(Vector3, f64) -> Made<Transform> + Send + Sync>;
+type Code = fn(Vector3, f64) -> Made<Transform>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let rotations = Questions {
-        words: "axis {}, angle {}".into(),
+        words: "axis {}, angle {}",
         simple: vec![
             ([0.0, 0.0, 1.0], 1.0),
             ([1.0, 0.0, 0.0], 1.0),
@@ -23,7 +22,7 @@ pub fn exercise() -> Exercise<Code> {
         answer: |rotation: &Code, (axis, angle)| {
             let turn = rotation(vector(axis), angle).ok()?;
             // No symmetric point, so that it turns about every axis.
-            let turned = |by: Mat4x4| (by * vector([1.0, 2.0, 4.0])).to_glam().to_array();
+            let turned = |by: Mat4x4| array(by * vector([1.0, 2.0, 4.0]));
             Some(
                 Answer::named("(1, 2, 4) turned", turned(turn.matrix()))
                     .and("turned back", turned(turn.inverse())),
@@ -35,22 +34,14 @@ pub fn exercise() -> Exercise<Code> {
         to: [0.6; 3],
     };
     Exercise {
-        questions: vec![rotations.into()],
+        questions: rotations.into(),
         picture: lit(eye, wheel),
         wrong: vec![
-            Other::from_right("a turn about x leads from z down", |right| {
-                Arc::new(move |k, angle| right(Vector3::new(k.x(), -k.y(), k.z()), angle))
-            }),
-            Other::from_right("the arc tangent of x / z knows no quadrant", |right| {
-                Arc::new(move |k, angle| {
+            Other::new("the arc tangent of x / z knows no quadrant", |k, angle| {
                     let side = k.z().signum();
                     right(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
-                })
-            }),
-            Other::from_right(
-                "a turn is counterclockwise for an eye before the axis",
-                |right| Arc::new(move |axis, angle| right(axis, -angle)),
-            ),
+                }),
+            Other::new("a turn is counterclockwise for an eye before the axis", |axis, angle| right(axis, -angle)),
         ],
         ..Exercise::default()
     }

@@ -77,7 +77,6 @@ pub fn exercise() -> Exercise<Code> {
             further: vec![(Upright::Triangle, 0.5)],
             on_surface: vec![[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.5, 1.0, 0.0]],
             own_rays: vec![],
-            is_found_by_steps: false,
             middle: |_| [0.0; 3],
             any: |r| {
                 let upright = [Upright::Ball, Upright::Triangle][r.below(2) as usize];

@@ -26,7 +26,7 @@ const SCENE: LitScene = LitScene {
 pub fn exercise() -> Exercise<Code> {
     let [o, d, n] = [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]];
     let chains = Questions {
-        words: "chain {}; origin and direction of the ray, and normal {}".into(),
+        words: "chain {}; origin and direction of the ray, and normal {}",
         simple: vec![
             (vec![Step::Translate([2.0, 0.0, 0.0])], [o, d, n]),
             (vec![Step::Scale([2.0; 3])], [o, d, n]),
@@ -42,13 +42,13 @@ pub fn exercise() -> Exercise<Code> {
             let ray = Ray::derived(point(o), vector(d));
             let ray = (code.ray_to_object)(&transform, &ray);
             let n = (code.normal_from_object)(&transform, vector(n).as_normal());
-            Answer::named("origin", ray.origin().to_glam().to_array())
-                .and("direction", ray.direction().to_glam().to_array())
-                .and("the normal", n.map(|n| n.to_glam().to_array()))
+            Answer::named("origin", array(ray.origin()))
+                .and("direction", array(ray.direction()))
+                .and("the normal", n.map(array))
         },
     };
     Exercise {
-        questions: vec![chains.into()],
+        questions: chains.into(),
         picture: SCENE.with(|code: &Code, world| {
             let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
             Ok(world.with(ellipsoid(*code)?, Box::new(material)))

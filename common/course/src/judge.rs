@@ -1,11 +1,9 @@
 //! `judge`: compiles a student's file, runs its program, and compares its answers.
 //!
-//! The program prints its answers and its picture. The grader compares them with the recorded ones
-//! of its own workbook: so an exit code is no verdict.
+//! The program prints its answers. The grader compares them with the recorded ones of its own
+//! workbook: so an exit code is no verdict.
 
-use exercise::{
-    PictureVerdict, Record, StudentOutput, Verdict, expected_picture, pictured, verdict,
-};
+use exercise::{Record, Verdict, read_answers, verdict};
 use learn::exercise::Exercise;
 use learn::files;
 
@@ -55,8 +53,8 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
     let message = sandbox.words(&ended, "not yet");
     let file = format!("{}/exercises/answers/{}.txt", e.stage, e.name);
     let record = Record::read(&files::read(&file)?)?;
-    let printed = StudentOutput::read(&ended.output);
-    let found = compare(e, &record, &printed);
+    let answers = read_answers(&ended.output);
+    let found = verdict(&record, &answers);
     match ended.end {
         End::Success if found.wrong.is_empty() => Ok(Outcome::right()),
         End::Success => {
@@ -64,38 +62,24 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
             let message = format!("the program reports success, but its answers say: {wrong}");
             Ok(wrong_answers(message, found))
         }
-        End::Failure if !printed.answers.is_empty() => Ok(wrong_answers(message, found)),
+        End::Failure if !answers.is_empty() => Ok(wrong_answers(message, found)),
         _ => Ok(wrong(&message)),
     }
 }
 
-/// Compares the answers and the picture of a program with the recorded ones.
-fn compare(e: &Exercise, record: &Record, printed: &StudentOutput) -> Verdict {
-    let picture = record.picture.as_ref().map(|scene| {
-        let expected = expected_picture(&files::workspace(), e.stage, scene);
-        match &printed.picture {
-            Some(image) => pictured(scene, &expected, image, None),
-            None => PictureVerdict {
-                name: format!("the picture of scene {scene}"),
-                is_right: false,
-                words: "it is missing".to_owned(),
-                divergence: None,
-            },
-        }
-    });
-    verdict(record, &printed.answers, picture)
-}
-
 /// The outcome of a program that says it is wrong, or whose answers say so.
 fn wrong_answers(message: String, found: Verdict) -> Outcome {
-    // If all answers are right, an example at the end of the file is wrong.
+    // If all answers are right, something else is wrong.
     let (compared, differ) = match found.differ {
         0 => (found.compared + 1, 1),
         differ => (found.compared, differ),
     };
     let mistake = match found.known {
         Some(known) => known.replace("this is a known mistake; it ", ""),
-        None => found.wrong.into_iter().next().unwrap_or_default(),
+        None => match found.wrong.into_iter().next() {
+            Some(wrong) => wrong,
+            None => "the picture, or an example at the end of the file".to_owned(),
+        },
     };
     Outcome {
         state: State::Wrong,

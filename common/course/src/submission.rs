@@ -8,7 +8,7 @@ mod tests;
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::{io, mem};
 
 use common::text;
@@ -46,7 +46,7 @@ const TEXTS: [&str; 12] = [
 /// The files of a student.
 #[derive(Debug)]
 pub struct Submission {
-    /// The folders and zip files down to the student's, as many of them as tell students apart.
+    /// The student.
     pub name: String,
     files: Vec<StudentsFile>,
 }
@@ -95,50 +95,48 @@ pub enum Found<'a> {
 /// The submissions in folders and zip files, in the order of their names.
 pub fn read(places: &[PathBuf], course: &'static [Exercise]) -> io::Result<Vec<Submission>> {
     let is_wanted = |name: &str| course.iter().any(|e| name.to_lowercase().contains(e.name));
-    let mut students: BTreeMap<Vec<String>, Vec<StudentsFile>> = BTreeMap::new();
+    let mut students: BTreeMap<String, Vec<StudentsFile>> = BTreeMap::new();
     for place in places {
-        let mut typed = typed(place)?;
+        let root = root(place)?;
         let mut files = Vec::new();
-        for file in files_in(place, &typed, &is_wanted) {
-            files.push(StudentsFile::new(file, typed.len(), course));
+        for file in files_in(place, &root, &is_wanted) {
+            files.push(StudentsFile::new(file, root.len(), course));
         }
-        if place.is_file() && !typed.last().is_some_and(|name| is_zip(name)) {
-            // A file alone is in its folder.
-            typed.pop();
-        }
-        let (level, is_class) = level(&files, typed);
+        let (level, is_class) = level(&files, root[..1].to_vec());
         for mut file in files {
-            let mut student = level.clone();
-            match file.folders.get(level.len()).filter(|_| is_class) {
-                Some(folder) => student.push(split_time(folder).0),
+            let mut student = match file.folders.get(level.len()) {
+                _ if !is_class => level.join("/"),
+                Some(folder) => split_time(folder).0,
                 // A table beside the students' folders is nobody's.
-                None if is_class && file.kind == Kind::Text => continue,
-                None if is_class => student.push(mem::take(&mut file.person)),
-                None => {}
-            }
+                None if file.kind == Kind::Text => continue,
+                None => mem::take(&mut file.person),
+            };
             if !file.person.is_empty() {
                 // Of a known student, it is named neither after a student nor after an exercise.
                 file.kind = Kind::Unknown;
             }
-            students.entry(student).or_default().push(file);
+            if is_class && places.len() > 1 {
+                student = [&level[0], "/", &student].concat();
+            }
+            let name = text::visible(&student.replace(".zip", ""));
+            students.entry(name).or_default().push(file);
         }
     }
-    Ok(with_names(students))
+    let named = students.into_iter();
+    let named = named.map(|(name, files)| Submission { name, files });
+    Ok(named.collect())
 }
 
-/// The parts of a path as it is typed; of a path such as `..`, those of the folder.
-fn typed(place: &Path) -> io::Result<Vec<String>> {
-    let mut path = place.to_owned();
-    if place.file_name().is_none() {
-        path = place.canonicalize()?;
+/// The name of a folder or zip file; of another file, those of its folder and of the file.
+fn root(place: &Path) -> io::Result<Vec<String>> {
+    let place = place.canonicalize()?;
+    let mut names = Vec::new();
+    for part in place.iter() {
+        names.push(part.to_string_lossy().into_owned());
     }
-    let mut parts = Vec::new();
-    for part in path.components() {
-        if let Component::Normal(part) = part {
-            parts.push(part.to_string_lossy().into_owned());
-        }
-    }
-    Ok(parts)
+    let is_alone = place.is_file() && !names.last().is_some_and(|name| is_zip(name));
+    let first = names.len().saturating_sub(1 + usize::from(is_alone));
+    Ok(names.split_off(first))
 }
 
 /// The folders around all students, and whether there is a class in them: a folder or a file for
@@ -178,31 +176,6 @@ fn has_copies(files: &[StudentsFile], level: usize) -> bool {
         }
     }
     false
-}
-
-/// The submissions, named by the parts of their paths that are not those of all.
-fn with_names(students: BTreeMap<Vec<String>, Vec<StudentsFile>>) -> Vec<Submission> {
-    let paths: Vec<_> = students.keys().collect();
-    let mut shared = 0;
-    while !paths.is_empty()
-        && paths
-            .iter()
-            .all(|path| shared + 1 < path.len() && path[shared] == paths[0][shared])
-    {
-        shared += 1;
-    }
-    let mut named = Vec::new();
-    for (path, files) in students {
-        let mut names = Vec::new();
-        for part in &path[shared..] {
-            let is_named = !part.is_empty();
-            let end = part.len() - if is_zip(part) { ".zip".len() } else { 0 };
-            names.extend(is_named.then(|| text::visible(&part[..end])));
-        }
-        let name = names.join("/");
-        named.push(Submission { name, files });
-    }
-    named
 }
 
 impl StudentsFile {

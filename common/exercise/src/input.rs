@@ -85,6 +85,22 @@ macro_rules! lists {
 
 lists! { [T; N], N; Vec<T>, ; }
 
+/// Makes a struct an [`Input`], by its fields in the order of the question: `input! { Lamp: color, place }`.
+#[macro_export]
+macro_rules! input {
+    ($name:ident: $($field:ident),+) => {
+        impl $crate::Input for $name {
+            fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
+                $(self.$field.for_each_number(f);)+
+            }
+
+            fn words(&self) -> Vec<String> {
+                [$(self.$field.words()),+].concat()
+            }
+        }
+    };
+}
+
 /// Arguments that are not moved.
 macro_rules! fixed {
     ($($fixed:ty)+) => { $(

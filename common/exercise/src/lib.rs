@@ -10,7 +10,6 @@
 mod answer;
 mod input;
 mod mistake;
-mod picture;
 mod question;
 mod record;
 mod row;
@@ -18,12 +17,11 @@ mod student_output;
 mod text;
 mod verdict;
 
-pub use answer::{Answer, assert_close, assert_close_about};
+pub use answer::{Answer, assert_close};
 pub use input::Input;
 pub use mistake::Mistake;
-pub use picture::{compare_picture, expected_picture, pictured};
 pub use question::Question;
 pub use record::Record;
 pub use row::{Row, Tolerance};
-pub use student_output::{MARK, MARKED, REMARK_MARK, StudentOutput, WORDS_MARK};
-pub use verdict::{PictureVerdict, StudentAnswer, Verdict, verdict};
+pub use student_output::{MARK, MARKED, WORDS_MARK, print_answers, read_answers};
+pub use verdict::{StudentAnswer, Verdict, verdict};

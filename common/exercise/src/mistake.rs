@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::row::{Comparison, NoSingleAnswer, Row, Tolerance};
+use crate::row::{NoSingleAnswer, Row, Tolerance};
 use crate::{Answer, Question};
 
 /// The most answers of a mistake that are recorded; of the others it is known that they are
@@ -39,10 +39,10 @@ impl Mistake {
         for (number, (row, question)) in rows.iter().zip(questions).enumerate() {
             let code = |input: &[f64]| code(number, input);
             let answer = code(&question.input);
-            if !matches!(row.compare(&answer), Comparison::Wrong { .. }) {
+            if !matches!(row.difference(&answer), Ok(Some(_))) {
                 continue;
             }
-            let tolerance = Tolerance::at(question, &answer, row.precision(), &code);
+            let tolerance = Tolerance::at(question, &answer, &code);
             if mistake.answers.len() < MOST {
                 mistake.answers.insert(number, (answer, tolerance));
             } else if tolerance == Tolerance::RoundingDecides {
@@ -57,23 +57,17 @@ impl Mistake {
     /// The number of wrong answers that this mistake explains; `None` if an answer contradicts it.
     /// Each answer stands with whether it is wrong, or is `None` where rounding decides the right
     /// one.
-    pub(crate) fn explains(
-        &self,
-        rows: &[Row],
-        answers: &[Option<(Answer, bool)>],
-    ) -> Option<usize> {
+    pub(crate) fn explains(&self, answers: &[Option<(Answer, bool)>]) -> Option<usize> {
         let mut explained = 0;
-        for (number, (row, answer)) in rows.iter().zip(answers).enumerate() {
+        for (number, answer) in answers.iter().enumerate() {
             let Some((yours, is_wrong)) = answer else {
                 continue;
             };
             let has_mistake = match self.answers.get(&number) {
-                Some((answer, tolerance)) => {
-                    match tolerance.difference(answer, yours, row.precision()) {
-                        Ok(difference) => difference.is_none(),
-                        Err(NoSingleAnswer) => continue,
-                    }
-                }
+                Some((answer, tolerance)) => match tolerance.difference(answer, yours) {
+                    Ok(difference) => difference.is_none(),
+                    Err(NoSingleAnswer) => continue,
+                },
                 None if self.undecided_rows.contains(&number) => true,
                 None => self.further_wrong_rows.contains(&number) == *is_wrong,
             };

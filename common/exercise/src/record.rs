@@ -1,12 +1,10 @@
 //! `Record`: the right answers of an exercise and those of known mistakes, in a text file.
 //!
-//! A line begins with the word that says what it is. `lacks` says what goes wrong in formulas that are
-//! right but for rounding. `picture` names the scene of the stage that the code paints. `=` has the
-//! right answer to the next question, and after `~` how far its numbers may move, beside their own
-//! rounding: nothing where they must not, and `rounding decides` where every answer is right. In an
-//! exercise about rounding, a second `~` has the same for formulas that are right but for rounding.
-//! `mistake` begins a known mistake: the numbers of the rows, from 1, in which code with this
-//! mistake is `wrong`, or in which `either` answer is possible; and its answers to some questions.
+//! A line begins with the word that says what it is. `=` has the right answer to the next question, and
+//! after `~` how far its numbers may move, beside their own rounding: nothing where they must not,
+//! and `rounding decides` where every answer is right. `mistake` begins a known mistake: the numbers
+//! of the rows, from 1, in which code with this mistake is `wrong`, or in which `either` answer is
+//! possible; and its answers to some questions.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -16,11 +14,6 @@ use crate::{Answer, Mistake, Row, Tolerance, text};
 /// Right answers and known mistakes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// In an exercise about rounding, what goes wrong in a formula that is right in exact
-    /// arithmetic, such as `loses digits where ...`.
-    pub rounding_flaw: Option<String>,
-    /// The scene of the stage that the code paints, if it paints one.
-    pub picture: Option<String>,
     /// The right answers.
     pub rows: Vec<Row>,
     /// The known mistakes.
@@ -29,18 +22,9 @@ pub struct Record {
 
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(flaw) = &self.rounding_flaw {
-            writeln!(f, "lacks {flaw}")?;
-        }
-        if let Some(scene) = &self.picture {
-            writeln!(f, "picture {scene}")?;
-        }
         for row in &self.rows {
             write!(f, "= {}", text::answer(&row.answer))?;
-            write_tolerance(f, &row.tolerance, row.usual_tolerance.is_some())?;
-            if let Some(tolerance) = &row.usual_tolerance {
-                write_tolerance(f, tolerance, true)?;
-            }
+            write_tolerance(f, &row.tolerance)?;
             writeln!(f)?;
         }
         for mistake in &self.mistakes {
@@ -55,7 +39,7 @@ impl fmt::Display for Record {
             }
             for (number, (answer, tolerance)) in &mistake.answers {
                 write!(f, "{} = {}", number + 1, text::answer(answer))?;
-                write_tolerance(f, tolerance, false)?;
+                write_tolerance(f, tolerance)?;
                 writeln!(f)?;
             }
         }
@@ -64,14 +48,10 @@ impl fmt::Display for Record {
 }
 
 /// Writes a tolerance, unless it is 0 and need not be said.
-fn write_tolerance(
-    f: &mut fmt::Formatter<'_>,
-    tolerance: &Tolerance,
-    is_said: bool,
-) -> fmt::Result {
+fn write_tolerance(f: &mut fmt::Formatter<'_>, tolerance: &Tolerance) -> fmt::Result {
     let is_none = |changes: &[f64]| changes.iter().all(|change| *change == 0.0);
     match tolerance {
-        Tolerance::Changes(changes) if is_none(changes) && !is_said => Ok(()),
+        Tolerance::Changes(changes) if is_none(changes) => Ok(()),
         _ => f.write_str(&text::tolerance(tolerance)),
     }
 }
@@ -91,16 +71,10 @@ impl Record {
     fn read_line(&mut self, line: &str) -> Option<()> {
         let (word, mut rest) = line.split_once(' ')?;
         match word {
-            "lacks" => self.rounding_flaw = Some(rest.to_owned()),
-            "picture" => self.picture = Some(rest.to_owned()),
             "=" => {
                 let answer = text::take_answer(&mut rest)?;
                 let tolerance = read_tolerance(&mut rest, &answer);
-                self.rows.push(Row {
-                    answer,
-                    tolerance,
-                    usual_tolerance: text::take_tolerance(&mut rest),
-                });
+                self.rows.push(Row { answer, tolerance });
             }
             "mistake" => self.mistakes.push(Mistake {
                 overlooks: rest.to_owned(),
@@ -163,11 +137,8 @@ mod tests {
         let row = |tolerance| Row {
             answer: answer.clone(),
             tolerance,
-            usual_tolerance: None,
         };
         let record = Record {
-            rounding_flaw: Some("loses digits".to_owned()),
-            picture: Some("scene-2".to_owned()),
             rows: vec![
                 row(Tolerance::Changes(vec![0.0; 10])),
                 row(Tolerance::RoundingDecides),

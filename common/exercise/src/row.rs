@@ -7,29 +7,6 @@ use crate::{Answer, Question};
 /// anybody would write.
 const UNIT: f64 = 1e-9;
 
-/// Some roundings of a number.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-
-/// How exact an answer must be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Precision {
-    /// Right for an input that differs by 1e-9 of itself: every right formula is.
-    Usual,
-    /// Right for an input that differs by some roundings, because the exercise is about
-    /// rounding.
-    Rounding,
-}
-
-impl Precision {
-    /// The change of an input, relative to each of its numbers.
-    pub(crate) fn unit(self) -> f64 {
-        match self {
-            Self::Usual => UNIT,
-            Self::Rounding => ROUNDING,
-        }
-    }
-}
-
 /// How far another right answer may be from an answer, through the change of its input.
 ///
 /// An answer is right if it is the right answer at an input that differs from the question's by
@@ -49,10 +26,9 @@ impl Tolerance {
     pub(crate) fn at(
         question: &Question,
         answer: &Answer,
-        precision: Precision,
         code: &dyn Fn(&[f64]) -> Answer,
     ) -> Self {
-        let perturbed = question.perturbed(precision.unit());
+        let perturbed = question.perturbed(UNIT);
         let perturbed = perturbed.take_while(|_| !question.is_simple);
         let changes = answer.sum_of_movements(perturbed.map(|pair| pair.map(|input| code(&input))));
         changes.map_or(Self::RoundingDecides, |changes| {
@@ -71,9 +47,8 @@ impl Tolerance {
         &self,
         right: &Answer,
         yours: &Answer,
-        precision: Precision,
     ) -> Result<Option<String>, NoSingleAnswer> {
-        let roundings: Vec<_> = right.roundings(precision.unit()).collect();
+        let roundings: Vec<_> = right.roundings(UNIT).collect();
         if right.difference(yours, &roundings).is_none() {
             return Ok(None);
         }
@@ -97,70 +72,18 @@ pub struct Row {
     pub answer: Answer,
     /// How far another right answer may be from it.
     pub tolerance: Tolerance,
-    /// In an exercise about rounding: how far the answer of a formula may be that is right but
-    /// for rounding.
-    pub usual_tolerance: Option<Tolerance>,
 }
 
 impl Row {
-    /// The row of the right answer to a question, which code gives, in an exercise that is about
-    /// rounding or not.
-    pub fn new(
-        question: &Question,
-        is_about_rounding: bool,
-        code: &dyn Fn(&[f64]) -> Answer,
-    ) -> Self {
+    /// The row of the right answer to a question, which code gives.
+    pub fn new(question: &Question, code: &dyn Fn(&[f64]) -> Answer) -> Self {
         let answer = code(&question.input);
-        let tolerance = |precision| Tolerance::at(question, &answer, precision, code);
-        let (tolerance, usual_tolerance) = if is_about_rounding {
-            let usual = tolerance(Precision::Usual);
-            (tolerance(Precision::Rounding), Some(usual))
-        } else {
-            (tolerance(Precision::Usual), None)
-        };
-        Self {
-            answer,
-            tolerance,
-            usual_tolerance,
-        }
+        let tolerance = Tolerance::at(question, &answer, code);
+        Self { answer, tolerance }
     }
 
-    /// How exact an answer must be.
-    pub(crate) fn precision(&self) -> Precision {
-        match self.usual_tolerance {
-            Some(_) => Precision::Rounding,
-            None => Precision::Usual,
-        }
+    /// The first value of the right answer from which another one differs, and what it is.
+    pub(crate) fn difference(&self, yours: &Answer) -> Result<Option<String>, NoSingleAnswer> {
+        self.tolerance.difference(&self.answer, yours)
     }
-
-    /// Compares another answer with the right one.
-    pub(crate) fn compare(&self, yours: &Answer) -> Comparison {
-        match self
-            .tolerance
-            .difference(&self.answer, yours, self.precision())
-        {
-            Ok(None) => Comparison::Right,
-            Err(NoSingleAnswer) => Comparison::RoundingDecides,
-            Ok(Some(difference)) => Comparison::Wrong {
-                is_but_for_rounding: self.usual_tolerance.as_ref().is_some_and(|tolerance| {
-                    let difference = tolerance.difference(&self.answer, yours, Precision::Usual);
-                    !matches!(difference, Ok(Some(_)))
-                }),
-                difference,
-            },
-        }
-    }
-}
-
-/// What a comparison finds.
-pub(crate) enum Comparison {
-    Right,
-    /// The answer is another one than the row's, and no row could be right.
-    RoundingDecides,
-    Wrong {
-        /// The first value that differs, and what it must be.
-        difference: String,
-        /// Whether the answer is right for an input that differs by more than rounding.
-        is_but_for_rounding: bool,
-    },
 }

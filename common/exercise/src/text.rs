@@ -135,9 +135,8 @@ pub fn tolerance(tolerance: &Tolerance) -> String {
 /// Takes a tolerance from the beginning of a text; none if there is no more.
 pub fn take_tolerance(text: &mut &str) -> Option<Tolerance> {
     let rest = text.strip_prefix(TOLERANCE)?;
-    let (words, rest) = rest.split_at(rest.find(TOLERANCE).unwrap_or(rest.len()));
-    *text = rest;
-    Some(match words {
+    *text = "";
+    Some(match rest {
         ROUNDING_DECIDES => Tolerance::RoundingDecides,
         numbers => Tolerance::Changes(read_numbers(numbers).ok()?),
     })

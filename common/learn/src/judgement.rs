@@ -32,7 +32,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         Ok(text) => text,
         Err(problem) => return Report::new(e, &problem),
     };
-    let report = match build_and_run(e, space, watcher) {
+    let mut report = match build_and_run(e, space, watcher) {
         Ok(Some(report)) => report,
         Ok(None) => {
             return Report {
@@ -42,7 +42,9 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         }
         Err(problem) => return Report::new(e, &problem),
     };
-    progress.record(e, &text, report.is_done);
+    if let Err(problem) = progress.record(e, &text, report.is_done) {
+        report.words += &format!("what is done is not kept: {problem}");
+    }
     report
 }
 
@@ -108,7 +110,6 @@ fn run_check(
         is_done,
         printed: printed + &say_cut(e, &output, more),
         words: text::message(&output.words),
-        remarks: text::message(&output.remarks),
         ..Report::new(e, &verdict)
     }))
 }

@@ -7,8 +7,6 @@
 
 mod book;
 mod build;
-mod check_all;
-mod corpus;
 mod editor;
 pub mod exercise;
 pub mod files;
@@ -24,24 +22,23 @@ mod program;
 mod progress;
 mod report;
 mod screen;
-mod status;
 mod submit;
 mod watch;
 mod wrap;
 
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
+use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 use common::text;
 
 pub use build::{arguments, find_program};
-use check_all::CheckAll;
 use exercise::Exercise;
 use judgement::judge;
+use phase::Phase;
 use progress::Progress;
 use screen::Screen;
-use status::Status;
 
 const ALL_DONE: &str = "all exercises are done; with a name, one is shown again";
 
@@ -81,8 +78,6 @@ enum Command {
     Hint(OrNext),
     /// Checks an exercise once
     Check(Check),
-    /// Asks your shapes the rays that broke ray tracers
-    Corpus,
     /// Builds the book with your pictures in it
     Book,
     /// Begins an exercise again, and keeps your file
@@ -124,7 +119,6 @@ fn run() -> Result<String, String> {
             Some(e) => check(e),
             None => Ok(ALL_DONE.to_owned()),
         },
-        Some(Command::Corpus) => ask_corpus(course),
         Some(Command::Book) => book::build(course),
         Some(Command::Reset(shown)) => match chosen_or_next(&shown, course) {
             Some(e) => files::reset(e),
@@ -147,15 +141,8 @@ fn chosen_or_next(shown: &OrNext, course: &'static [Exercise]) -> Option<&'stati
 fn check(e: &Exercise) -> Result<String, String> {
     files::begin(e)?;
     let screen = Screen::new();
-    let mut progress = Progress::read();
-    let mut status = Status::new();
-    let report = judge(e, &mut progress, screen.space(), &mut |phase, elapsed| {
-        status.show("", phase, elapsed);
-        true
-    });
-    drop(status);
-    print(&report.details(&screen, true))?;
-    warn(&progress);
+    let report = judge(e, &mut Progress::read(), screen.space(), &mut told(""));
+    print(&report.details(&screen))?;
     if report.is_done {
         Ok(report.verdict)
     } else {
@@ -163,50 +150,39 @@ fn check(e: &Exercise) -> Result<String, String> {
     }
 }
 
-/// Checks all files, and returns which of them are done; an error names those that are not.
+/// Checks all files that are begun, and returns how many of them are done; an error names those that
+/// are not.
 fn check_all(course: &[Exercise]) -> Result<String, String> {
     let mut progress = Progress::read();
-    let mut status = Status::new();
-    let all = CheckAll::run(
-        course,
-        &mut progress,
-        Screen::new().space(),
-        &mut |words, phase, elapsed| {
-            status.show(words, phase, elapsed);
-            true
-        },
+    let space = Screen::new().space();
+    let (mut count, mut open) = (0, Vec::new());
+    for e in course.iter().filter(|e| files::is_begun(e)) {
+        let about = format!(": {}", e.name);
+        if !judge(e, &mut progress, space, &mut told(&about)).is_done {
+            open.push(e.name);
+        }
+        count += 1;
+    }
+    let words = format!(
+        "{count} files are checked, {} of them are done",
+        count - open.len()
     );
-    drop(status);
-    warn(&progress);
-    if all.open.is_empty() {
-        Ok(all.to_string())
+    if open.is_empty() {
+        Ok(words)
     } else {
-        Err(all.to_string())
+        Err(format!("{words}; open: {}", open.join(", ")))
     }
 }
 
-/// Asks the student's shapes the corpus of ray failures.
-fn ask_corpus(course: &[Exercise]) -> Result<String, String> {
-    let mut progress = Progress::read();
-    let mut status = Status::new();
-    let words = corpus::ask(
-        course,
-        &mut progress,
-        Screen::new().space(),
-        &mut |phase, elapsed| {
-            status.show("", phase, elapsed);
-            true
-        },
-    );
-    drop(status);
-    warn(&progress);
-    Ok(Screen::new().wrap(&words?))
-}
-
-/// Says that the verdict is not kept, if so.
-fn warn(progress: &Progress) {
-    if let Some(warning) = progress.warning() {
-        eprintln!("{}", text::message(&warning));
+/// Says on the standard error what goes on, if it takes longer than a second.
+fn told(about: &str) -> impl FnMut(Phase, Duration) -> bool {
+    let mut said = None;
+    move |phase, elapsed| {
+        if elapsed.as_secs() > 0 && said != Some(phase) {
+            said = Some(phase);
+            eprintln!("{}{about}", phase.words(elapsed));
+        }
+        true
     }
 }
 

@@ -17,7 +17,7 @@ use crate::watch::Session;
 const PAUSE: Duration = Duration::from_millis(100);
 
 /// Lines above and below the exercises.
-const FRAME: usize = 4;
+const FRAME: usize = 5;
 
 const KEYS: &str = "↑ ↓ Enter  / search  Esc back  q quit";
 
@@ -55,7 +55,7 @@ pub fn choose(current: &Exercise, session: &mut Session) -> Choice {
     loop {
         let size = screen.size().unwrap_or((24, 80));
         if shown != Some(size) {
-            screen.replace(&list.lines(progress, size));
+            screen.show(&list.lines(progress, size).join("\n"), "");
             shown = Some(size);
         }
         match keys.read(PAUSE) {
@@ -160,15 +160,15 @@ impl List {
         }
         let mut lines = vec![fitted(&heading), String::new()];
         for (number, e) in shown {
-            let row = fitted(&row(e, progress, number == self.chosen));
-            let is_done = progress.is_done(e);
-            lines.push(if number == self.chosen {
-                style(row).reverse().to_string()
-            } else if is_done {
-                style(row).green().to_string()
-            } else {
-                row
-            });
+            let is_chosen = number == self.chosen;
+            let sign = if is_chosen { '>' } else { ' ' };
+            let row = style(fitted(&format!("{sign} {}", progress.row(e))));
+            let row = match is_chosen {
+                true => row.reverse(),
+                false if progress.is_done(e) => row.green(),
+                false => row,
+            };
+            lines.push(row.to_string());
         }
         lines.push(String::new());
         lines.push(fitted(&if self.is_searching {
@@ -178,13 +178,4 @@ impl List {
         }));
         lines
     }
-}
-
-fn row(e: &Exercise, progress: &Progress, is_chosen: bool) -> String {
-    let sign = if is_chosen { '>' } else { ' ' };
-    let mark = progress.mark(e);
-    let stage = e.stage.split('-').next().unwrap_or_default();
-    let path = if e.is_core { "core" } else { "" };
-    let (name, title, minutes) = (e.name, e.title, e.minutes);
-    format!("{sign} {mark:5}  {stage} {path:4}  {name:17} {minutes:>2} min  {title}")
 }

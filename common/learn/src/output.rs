@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use ::exercise::{REMARK_MARK, WORDS_MARK};
+use ::exercise::WORDS_MARK;
 
 /// The most bytes of a program that are kept.
 const KEPT_BYTES: usize = 1 << 20;
@@ -29,8 +29,6 @@ pub struct Output {
     pub is_cut: bool,
     /// What the check says.
     pub words: String,
-    /// What the check says to those who want to know more.
-    pub remarks: String,
     /// When the last line came.
     pub last: Option<Instant>,
 }
@@ -52,8 +50,7 @@ impl Output {
     /// Adds a line of the program, after which the check may have begun one of its own.
     fn add(&mut self, line: &[u8]) {
         self.last = Some(Instant::now());
-        let marks = [WORDS_MARK as u8, REMARK_MARK as u8];
-        let Some(at) = line.iter().position(|byte| marks.contains(byte)) else {
+        let Some(at) = line.iter().position(|byte| *byte == WORDS_MARK as u8) else {
             self.lines += 1;
             self.keep(line);
             return;
@@ -63,12 +60,7 @@ impl Output {
             self.keep(&line[..at]);
             self.keep(b"\n");
         }
-        let text = String::from_utf8_lossy(&line[at + 1..]);
-        if line[at] == WORDS_MARK as u8 {
-            self.words += &text;
-        } else {
-            self.remarks += &text;
-        }
+        self.words += &String::from_utf8_lossy(&line[at + 1..]);
     }
 
     fn keep(&mut self, bytes: &[u8]) {
@@ -139,11 +131,10 @@ mod tests {
 
     #[test]
     fn lines_of_the_check_are_told_from_those_of_the_program() {
-        let text = format!("a\nb{WORDS_MARK}wrong\n{REMARK_MARK}more\nlast");
+        let text = format!("a\nb{WORDS_MARK}wrong\nlast");
         let output = read(text.as_bytes());
         assert_eq!(output.beginning(3), ("a\nb\nlast".to_owned(), 0));
         assert_eq!(output.words, "wrong\n");
-        assert_eq!(output.remarks, "more\n");
         assert_eq!(read(b"").beginning(3), (String::new(), 0));
     }
 

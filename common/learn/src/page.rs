@@ -8,7 +8,6 @@ use std::time::Duration;
 use common::text;
 use console::Key;
 
-use crate::check_all::CheckAll;
 use crate::exercise::Exercise;
 use crate::files::{self, Saved};
 use crate::judgement::judge;
@@ -18,7 +17,7 @@ use crate::report::Report;
 use crate::screen::Screen;
 use crate::watch::{PAUSE, Session};
 
-const KEYS: &str = "h hint  n next  l list  c check all  x reset  q quit";
+const KEYS: &str = "h hint  n next  l list  x reset  q quit";
 const KEYS_OF_CHECK: &str = "s stop  h hint  n next  l list  q quit";
 const RESET: &str = "begin again from the starter? your file is kept; y yes, other keys no";
 
@@ -42,7 +41,6 @@ pub struct Page {
     keeps_notes: bool,
     /// How many hints have been asked for.
     hints: usize,
-    shows_remarks: bool,
     asks_for_reset: bool,
     /// The width for which it is drawn.
     width: Option<usize>,
@@ -57,17 +55,9 @@ impl Page {
             notes: Vec::new(),
             keeps_notes: false,
             hints: 0,
-            shows_remarks: false,
             asks_for_reset: false,
             width: None,
         }
-    }
-
-    /// Keeps notes about what has led to this page.
-    pub fn with_notes(mut self, notes: Vec<String>) -> Self {
-        self.notes = notes;
-        self.keeps_notes = true;
-        self
     }
 
     /// Checks the file whenever it is saved, and obeys keys, until the student goes on.
@@ -117,39 +107,33 @@ impl Page {
             self.notes.clear();
         }
         self.keeps_notes = false;
-        self.shows_remarks = false;
         self.width = screen.width();
         screen.show(&self.task_and_notes(screen), "");
         let mut stopping_key = None;
         let mut shown = String::new();
-        let report = judge(
-            e,
-            progress,
-            screen.space_on_page(),
-            &mut |phase, elapsed| {
-                let status = format!("{}  {KEYS_OF_CHECK}", phase.words("", elapsed));
-                if shown != status {
-                    screen.show_status(&status);
-                    shown = status;
+        let report = judge(e, progress, screen.space(), &mut |phase, elapsed| {
+            let status = format!("{}  {KEYS_OF_CHECK}", phase.words(elapsed));
+            if shown != status {
+                screen.show_status(&status);
+                shown = status;
+            }
+            match keys.read(Duration::ZERO) {
+                Typed::Key(Key::Char('h')) => {
+                    let hint = self.next_hint(screen);
+                    self.notes.push(hint.clone());
+                    screen.show(&self.task_and_notes(screen), &hint);
+                    shown.clear();
                 }
-                match keys.read(Duration::ZERO) {
-                    Typed::Key(Key::Char('h')) => {
-                        let hint = self.next_hint(screen);
-                        self.notes.push(hint.clone());
-                        screen.show(&self.task_and_notes(screen), &hint);
-                        shown.clear();
-                    }
-                    Typed::Key(Key::Char('s')) => return false,
-                    Typed::Key(key @ (Key::Char('n' | 'l' | 'q') | Key::CtrlC)) => {
-                        stopping_key = Some(key);
-                        return false;
-                    }
-                    // No other key stops a check.
-                    _ => {}
+                Typed::Key(Key::Char('s')) => return false,
+                Typed::Key(key @ (Key::Char('n' | 'l' | 'q') | Key::CtrlC)) => {
+                    stopping_key = Some(key);
+                    return false;
                 }
-                files::saved(e) == saved
-            },
-        );
+                // No other key stops a check.
+                _ => {}
+            }
+            files::saved(e) == saved
+        });
         self.report = Some(report);
         // After another save the next check follows at once.
         if files::saved(e) == saved && stopping_key.is_none() {
@@ -215,11 +199,6 @@ impl Page {
                 self.note(session, &hint);
             }
             Key::Char('l') => return Ok(self.list(session)),
-            Key::Char('c') => return Ok(self.check_all(session)),
-            Key::Char('m') => {
-                self.shows_remarks = !self.shows_remarks;
-                self.draw(session);
-            }
             Key::Char('x') => {
                 self.asks_for_reset = true;
                 self.note(session, RESET);
@@ -262,18 +241,6 @@ impl Page {
                 None
             }
         }
-    }
-
-    fn check_all(&mut self, session: &mut Session) -> Option<Step> {
-        let all = CheckAll::run_with_keys(session);
-        if all.quits {
-            return Some(Step::Quit);
-        }
-        // It has judged this file, too.
-        self.checked = None;
-        self.keeps_notes = true;
-        self.note(session, &all.to_string());
-        None
     }
 
     /// Adds an answer to a key.

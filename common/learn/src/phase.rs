@@ -12,8 +12,8 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// The words about it. `what` follows them, such as `, 3 of 12: sphere`.
-    pub fn words(self, what: &str, elapsed: Duration) -> String {
+    /// The words about it.
+    pub fn words(self, elapsed: Duration) -> String {
         let seconds = elapsed.as_secs();
         let words = match self {
             Self::Waiting => "waiting for another cargo, which builds in this folder",
@@ -22,12 +22,11 @@ impl Phase {
             Self::Building => "building",
             Self::Checking => "checking",
         };
-        let time = if seconds > 0 {
-            format!(" ({seconds} s)")
+        if seconds > 0 {
+            format!("{words} ({seconds} s)")
         } else {
-            String::new()
-        };
-        format!("{words}{what}{time}")
+            words.to_owned()
+        }
     }
 }
 

@@ -27,8 +27,6 @@ type Hashes = BTreeMap<String, u64>;
 #[derive(Default)]
 pub struct Progress {
     hashes: Hashes,
-    /// Why nothing is kept. The program then knows until its end what is done.
-    problem: Option<String>,
 }
 
 /// What is kept now; nothing if there is no file.
@@ -61,17 +59,10 @@ fn write_hashes(hashes: &Hashes) -> Result<(), String> {
 }
 
 impl Progress {
-    /// What is kept now.
+    /// What is kept now; nothing if it cannot be read.
     pub fn read() -> Self {
-        match read_hashes() {
-            Ok(hashes) => Self {
-                hashes,
-                problem: None,
-            },
-            Err(problem) => Self {
-                hashes: Hashes::new(),
-                problem: Some(problem),
-            },
+        Self {
+            hashes: read_hashes().unwrap_or_default(),
         }
     }
 
@@ -83,40 +74,23 @@ impl Progress {
         fs::read(files::yours(exercise)).is_ok_and(|text| fnv1a(&text) == *hash)
     }
 
-    /// Records what a check says about a text.
-    pub fn record(&mut self, exercise: &Exercise, text: &str, is_done: bool) {
-        let set = |hashes: &mut Hashes| {
-            let name = exercise.name.to_owned();
-            if is_done {
-                hashes.insert(name, fnv1a(text.as_bytes()));
-            } else {
-                hashes.remove(&name);
-            }
-        };
-        set(&mut self.hashes);
-        // Another `cargo learn` may have recorded something since. What cannot be read is not
-        // replaced.
-        let written = read_hashes().and_then(|mut now| {
-            if self.problem.is_some() {
-                now.extend(self.hashes.clone());
-            }
-            set(&mut now);
-            write_hashes(&now)?;
-            Ok(now)
-        });
-        match written {
-            Ok(now) => {
-                self.hashes = now;
-                self.problem = None;
-            }
-            Err(problem) => self.problem = Some(problem),
+    /// Records what a check says about a text. An error says why it is not kept: then this program
+    /// knows it until its end.
+    pub fn record(&mut self, exercise: &Exercise, text: &str, is_done: bool) -> Result<(), String> {
+        // Another `cargo learn` may have recorded something since.
+        let kept = read_hashes();
+        if let Ok(kept) = &kept {
+            self.hashes.clone_from(kept);
         }
-    }
-
-    /// Says that the next program will not know what is done, if so.
-    pub fn warning(&self) -> Option<String> {
-        let problem = self.problem.as_ref()?;
-        Some(format!("what is done is not kept: {problem}"))
+        if is_done {
+            let hash = fnv1a(text.as_bytes());
+            self.hashes.insert(exercise.name.to_owned(), hash);
+        } else {
+            self.hashes.remove(exercise.name);
+        }
+        // What cannot be read is not replaced.
+        kept?;
+        write_hashes(&self.hashes)
     }
 
     /// How far the student is with an exercise, in a word.
@@ -162,19 +136,19 @@ impl Progress {
         format!("{words} [{full:.<length$}] {done} of {all}")
     }
 
+    /// An exercise in a line.
+    pub fn row(&self, e: &Exercise) -> String {
+        let (mark, stage) = (self.mark(e), &e.stage[..3]);
+        let path = if e.is_core { "core" } else { "" };
+        let (name, title, minutes) = (e.name, e.title, e.minutes);
+        format!("{mark:5}  {path:4}  {stage}  {name:17} {minutes:>2} min  {title}")
+    }
+
     /// All exercises, one a line.
     pub fn list(&self, course: &[Exercise]) -> String {
-        let mut lines = Vec::new();
-        for of_stage in course.chunk_by(|a, b| a.stage == b.stage) {
-            lines.push(of_stage[0].stage.to_owned());
-            for e in of_stage {
-                let mark = self.mark(e);
-                let path = if e.is_core { "core" } else { "" };
-                let (name, title, minutes) = (e.name, e.title, e.minutes);
-                let row = format!("  {mark:5}  {path:4}  {name:18} {title}, {minutes} minutes");
-                lines.push(row);
-            }
-        }
-        format!("{}\n\n{}", lines.join("\n"), self.bars(course, None))
+        let mut lines: Vec<_> = course.iter().map(|e| self.row(e)).collect();
+        lines.push(String::new());
+        lines.push(self.bars(course, None));
+        lines.join("\n")
     }
 }

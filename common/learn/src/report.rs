@@ -20,8 +20,6 @@ pub struct Report {
     pub printed: String,
     /// What is wrong.
     pub words: String,
-    /// What is true besides, for those who want to know more.
-    pub remarks: String,
     /// The verdict in a line, such as `sphere: done`.
     pub verdict: String,
 }
@@ -34,28 +32,15 @@ impl Report {
         }
     }
 
-    /// What a student reads above the verdict: of a file that is right, no remarks, unless they are
-    /// asked for.
-    pub fn details(&self, screen: &Screen, has_remarks: bool) -> String {
+    /// What a student reads above the verdict.
+    pub fn details(&self, screen: &Screen) -> String {
         let mut text = String::new();
-        add_lines(&mut text, &self.printed);
-        add_lines(&mut text, &screen.wrap(&self.words));
-        if has_remarks || !self.is_done {
-            add_lines(&mut text, &screen.wrap(&self.remarks));
+        for lines in [&self.printed, &screen.wrap(&self.words)] {
+            if !lines.is_empty() {
+                text.extend([lines.trim_end(), "\n"]);
+            }
         }
         text
-    }
-
-    /// Whether details without remarks leave something out.
-    pub fn hides_something(&self) -> bool {
-        self.is_done && !self.remarks.is_empty()
-    }
-}
-
-fn add_lines(text: &mut String, lines: &str) {
-    if !lines.is_empty() {
-        *text += lines.trim_end();
-        *text += "\n";
     }
 }
 

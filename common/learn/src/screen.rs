@@ -62,20 +62,10 @@ impl Screen {
         self.size().map(|(_, columns)| columns)
     }
 
-    /// The space for output of which all is printed below each other.
+    /// The space for the output of a program beside the task and the verdict.
     pub fn space(&self) -> Space {
-        Space {
-            width: self.width(),
-            lines: MOST_LINES,
-        }
-    }
-
-    /// The space for output on a page that is to be seen as a whole.
-    pub fn space_on_page(&self) -> Space {
-        let lines = match self.size() {
-            Some((rows, _)) => rows.saturating_sub(OTHER_ROWS),
-            None => MOST_LINES,
-        };
+        let size = self.size();
+        let lines = size.map_or(MOST_LINES, |(rows, _)| rows.saturating_sub(OTHER_ROWS));
         Space {
             width: self.width(),
             lines: lines.clamp(FEWEST_LINES, MOST_LINES),
@@ -104,24 +94,6 @@ impl Screen {
         // If it fails, old text remains.
         let _ = terminal.clear_screen();
         let _ = terminal.write_line(page);
-        let _ = terminal.flush();
-    }
-
-    /// Shows lines at the places of those before, which flickers less than a new page.
-    pub fn replace(&self, lines: &[String]) {
-        let Some(terminal) = &self.terminal else {
-            return;
-        };
-        let Some((last, others)) = lines.split_last() else {
-            return;
-        };
-        let _ = terminal.move_cursor_to(0, 0);
-        for line in others {
-            let _ = terminal.clear_line();
-            let _ = terminal.write_line(line);
-        }
-        let _ = terminal.clear_to_end_of_screen();
-        let _ = terminal.write_str(last);
         let _ = terminal.flush();
     }
 

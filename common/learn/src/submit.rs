@@ -1,8 +1,7 @@
-//! `submit`: packs the student's files into one zip file, with the versions of the tools.
+//! `submit`: packs the student's files into one zip file.
 
 use std::fs;
 use std::io::{self, Cursor, Write};
-use std::process::Command;
 
 use common::text;
 use zip::ZipWriter;
@@ -33,21 +32,19 @@ impl Submit {
         if begun.is_empty() {
             return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
         }
-        let progress = Progress::read();
         let path = format!("{name}.zip");
-        let bytes = pack(&begun, &progress)?;
+        let bytes = pack(&begun)?;
         fs::write(&path, bytes).map_err(with_path(path.as_ref()))?;
+        let progress = Progress::read();
         let done = begun.iter().filter(|e| progress.is_done(e)).count();
         let count = begun.len();
         Ok(format!("{path}: {count} files, {done} of them done"))
     }
 }
 
-/// The bytes of the zip file: the student's files, and the results of the last checks.
-fn pack(begun: &[&Exercise], progress: &Progress) -> Result<Vec<u8>, String> {
+/// The bytes of the zip file.
+fn pack(begun: &[&Exercise]) -> Result<Vec<u8>, String> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    let version = env!("CARGO_PKG_VERSION");
-    let mut results = vec![format!("learn {version}\n"), rustc_version()];
     for e in begun {
         let yours = files::yours(e);
         if yours.is_symlink() {
@@ -56,26 +53,11 @@ fn pack(begun: &[&Exercise], progress: &Progress) -> Result<Vec<u8>, String> {
         }
         let name = format!("{}/exercises/{}.rs", e.stage, e.name);
         let text = files::text_of(&yours)?;
-        add(&mut zip, &name, text.as_bytes())?;
-        results.push(format!("{} {}\n", e.name, progress.mark(e)));
+        let with_name = |error: io::Error| format!("{name}: {error}");
+        let started = zip.start_file(&*name, SimpleFileOptions::default());
+        started.map_err(|error| with_name(error.into()))?;
+        zip.write_all(text.as_bytes()).map_err(with_name)?;
     }
-    add(&mut zip, "results.txt", results.concat().as_bytes())?;
     let zip = zip.finish().map_err(|error| error.to_string())?;
     Ok(zip.into_inner())
-}
-
-/// Adds a file to the zip file.
-fn add(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str, bytes: &[u8]) -> Result<(), String> {
-    let with_name = |error: io::Error| format!("{name}: {error}");
-    let started = zip.start_file(name, SimpleFileOptions::default());
-    started.map_err(|error| with_name(error.into()))?;
-    zip.write_all(bytes).map_err(with_name)
-}
-
-/// The compiler's version in a line; empty if there is no compiler.
-fn rustc_version() -> String {
-    match Command::new("rustc").arg("--version").output() {
-        Ok(output) => String::from_utf8_lossy(&output.stdout).into_owned(),
-        Err(_) => String::new(),
-    }
 }

@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use crate::check_all::CheckAll;
 use crate::exercise::Exercise;
 use crate::files::{self, Saved};
 use crate::keys::Keys;
@@ -42,27 +41,16 @@ pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<St
             Step::Chosen(e) => Page::new(e),
             Step::Following => match session.progress.next(course, Some(page.exercise)) {
                 Some(next) => Page::new(next),
-                None => match end(&mut session, page.exercise) {
-                    Some(page) => page,
-                    None => break,
-                },
+                None => return Ok(format!("{}\n{END}", session.bars())),
             },
         };
     }
-    Ok(session.progress.bars(course, session.screen.width()))
+    Ok(session.bars())
 }
 
-/// Checks all files once more, as checks and files may have changed, and shows an exercise that
-/// is open after all, or the last one. None if the student quits.
-fn end(session: &mut Session, last: &'static Exercise) -> Option<Page> {
-    let all = CheckAll::run_with_keys(session);
-    if all.quits {
-        return None;
+impl Session {
+    /// How far the student is.
+    pub fn bars(&self) -> String {
+        self.progress.bars(self.course, self.screen.width())
     }
-    let open = session.progress.next(session.course, None);
-    let mut notes = vec![all.to_string()];
-    if open.is_none() {
-        notes.push(END.to_owned());
-    }
-    Some(Page::new(open.unwrap_or(last)).with_notes(notes))
 }

@@ -8,7 +8,7 @@
 //!    starter.
 //! 2. The check, `tests/exercises/NAME.rs`, has a function `exercise()`, which returns an
 //!    [`Exercise`]: for each sentence of the task a simple question, some random ones, a picture,
-//!    which no other exercise shows, and at least three mistakes of learners. A mistake is one row:
+//!    which no other exercise shows, and the mistakes that learners make. A mistake is one row:
 //!    the fact that it overlooks, and a function that makes code with this mistake of right code.
 //!    [`yours!`](crate::yours) is the student's code in the form that the questions take. A line
 //!    `mod NAME;` in `tests/exercises/main.rs` adds it.
@@ -30,19 +30,17 @@ mod program;
 mod prove;
 mod random;
 #[cfg(not(target_family = "wasm"))]
-mod say;
-#[cfg(not(target_family = "wasm"))]
 mod student;
 
-pub use self::exercise::{CodeQuestion, Exercise, Picture, Questions, Render, Variant, drawing};
-pub use ::exercise::{Answer, Input, assert_close};
+pub use self::exercise::{CodeQuestion, Exercise, Picture, Questions, Variant, all};
+pub use ::exercise::{Answer, Input, assert_close, input};
 pub use common::ArgumentError;
 pub use folder::StageFolder;
 #[cfg(target_family = "wasm")]
 pub use in_browser::judge;
 pub use missing::missing;
 #[cfg(not(target_family = "wasm"))]
-pub(crate) use missing::{Missing, found_missing};
+pub(crate) use missing::{Missing, take_missing};
 #[cfg(not(target_family = "wasm"))]
 pub use prove::{Codes, Entry, prove};
 pub use random::{Random, random};
@@ -103,6 +101,10 @@ macro_rules! exercises {
         mod yours {
             $(#[cfg(any($name, rust_analyzer))] pub mod $name;)+
         }
+
+        // Mistakes call the right code. A student's program asks none.
+        #[cfg(learn)]
+        use yours as solutions;
 
         #[cfg(not(learn))]
         #[path = "../../exercises/solutions"]

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use a02_math::arrays::array;
 use a03_rays_cameras::{Basis, Camera, Ray};
 use common::Size;
 use testing::exercises::{Answer, Exercise, Input, Made, Questions, Random, Variant, random};
@@ -49,8 +50,6 @@ pub struct Cameras<P> {
     pub further: Vec<P>,
     /// Random parameters.
     pub any: fn(&mut Random) -> P,
-    /// The section of the book about the camera.
-    pub section: &'static str,
 }
 
 /// Asks the first camera at simple positions of a picture of 5 by 3 pixels, of pictures with even
@@ -62,7 +61,6 @@ pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercis
         first,
         further,
         any,
-        section,
     } = cameras;
     let mut simple = Vec::new();
     for position in [[2.0, 1.0], [0.0, 1.0], [2.0, 0.0], [4.0, 2.0], [2.5, 0.5]] {
@@ -86,7 +84,7 @@ pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercis
         }
     }
     let rays = Questions {
-        words: format!("{words}, picture of {{}} pixels, place {{}}"),
+        words: format!("{words}, picture of {{}} pixels, place {{}}").leak(),
         simple,
         others: random(|r| {
             let size = [(); 2].map(|()| 2 + r.below(99));
@@ -99,8 +97,7 @@ pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercis
         },
     };
     Exercise {
-        questions: vec![rays.into()],
-        section_of_rays: Some(section),
+        questions: rays.into(),
         usual: vec![
             mistake("y of a camera counts upwards", |camera, size, x, y| {
                 camera.ray_for(size, x, f64::from(size.height() - 1) - y)
@@ -136,7 +133,7 @@ pub type WithAngle<P> = fn(P) -> Made<(Basis, f64)>;
 
 /// Width and height of a pixel at the distance 1 before a camera: by the angle, and by width and
 /// height of the picture in pixels.
-type PixelSize = fn(f64, [f64; 2]) -> [f64; 2];
+pub type PixelSize = fn(f64, [f64; 2]) -> [f64; 2];
 
 /// Mistakes of cameras with a field of view, by the axes and the angle of their parameters.
 #[must_use]
@@ -186,7 +183,7 @@ fn with_tangent_of_angle<P: 'static>(parts: WithAngle<P>) -> NewCamera<P> {
 }
 
 /// A camera with pixels of this size.
-fn with_pixels<P: 'static>(parts: WithAngle<P>, pixel_size: PixelSize) -> NewCamera<P> {
+pub fn with_pixels<P: 'static>(parts: WithAngle<P>, pixel_size: PixelSize) -> NewCamera<P> {
     new_camera(move |parameters| {
         let (Basis { e, u, v, w }, angle) = parts(parameters)?;
         Ok(OwnCamera(move |size: [f64; 2], [x, y]: [f64; 2]| {
@@ -202,6 +199,5 @@ fn with_pixels<P: 'static>(parts: WithAngle<P>, pixel_size: PixelSize) -> NewCam
 /// A ray as an answer.
 #[must_use]
 pub fn ray_answer(ray: &Ray) -> Answer {
-    Answer::named("origin", ray.origin().to_glam().to_array())
-        .and("direction", ray.direction().to_glam().to_array())
+    Answer::named("origin", array(ray.origin())).and("direction", array(ray.direction()))
 }

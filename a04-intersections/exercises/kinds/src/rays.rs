@@ -1,8 +1,8 @@
-//! Rays to a shape: of all lengths, from outside, from inside and from far away, and to its border.
+//! Rays to a shape: of all lengths, from outside, from inside and from far away.
 
 use a02_math::arrays::{array, point, vector};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval};
+use a04_intersections::Interval;
 use testing::exercises::Random;
 
 /// Origin and direction of a ray, and the ends of the interval.
@@ -76,35 +76,4 @@ pub fn around(middle: [f64; 3], random: &mut Random) -> [RayWithin; 3] {
         ahead(from, array(-step)),
         ahead(to, array(step)),
     ]
-}
-
-/// An eye, and the ends of a way that it looks along, from a place near a point to another one.
-#[must_use]
-pub fn across(middle: [f64; 3], random: &mut Random) -> [[f64; 3]; 3] {
-    let mut place = |most| array(point(middle) + vector(random.triple(most)));
-    [place(6.0), place(1.0), place(6.0)]
-}
-
-/// The fraction of the way at which the eye no longer sees the shape; none if it sees it at both ends or
-/// not at the first.
-#[must_use]
-pub fn border(shape: &dyn Geometry, [eye, from, to]: [[f64; 3]; 3]) -> Option<f64> {
-    let [eye, from, to] = [eye, from, to].map(point);
-    let is_seen = |fraction: f64| {
-        let ray = Ray::derived(eye, from + (to - from) * fraction - eye);
-        shape.hit(&ray, Interval::AHEAD).is_some()
-    };
-    if !is_seen(0.0) || is_seen(1.0) {
-        return None;
-    }
-    let (mut seen, mut unseen) = (0.0, 1.0);
-    for _ in 0..50 {
-        let middle = f64::midpoint(seen, unseen);
-        if is_seen(middle) {
-            seen = middle;
-        } else {
-            unseen = middle;
-        }
-    }
-    Some(seen)
 }

@@ -3,11 +3,12 @@
 use std::fmt;
 use std::sync::Arc;
 
+use a02_math::arrays::array;
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Triangle};
 use testing::exercises::{
-    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, random,
+    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, all, random,
 };
 
 use crate::rays::{self, RAY, RayWithin, ray_within};
@@ -57,11 +58,8 @@ pub fn smooth_triangle(z: f64) -> Made<Triangle> {
 pub fn hit_answer(hit: Option<Hit>) -> Answer {
     hit.map_or(Answer::words("no hit"), |hit| {
         Answer::named("t", hit.t)
-            .and("normal", hit.normal.to_glam().to_array())
-            .and(
-                "geometric normal",
-                hit.geometric_normal.to_glam().to_array(),
-            )
+            .and("normal", array(hit.normal))
+            .and("geometric normal", array(hit.geometric_normal))
     })
 }
 
@@ -123,8 +121,6 @@ pub struct Shapes<P> {
     pub on_surface: Vec<[f64; 3]>,
     /// Rays of round numbers to the first shape, beside those to all shapes.
     pub own_rays: Vec<RayWithin>,
-    /// Whether hits are found by steps: right code may pass over a border.
-    pub is_found_by_steps: bool,
     /// A point near which a shape of these parameters is.
     pub middle: fn(&P) -> [f64; 3],
     /// Random parameters.
@@ -165,9 +161,9 @@ impl<P: Input + 'static> Shapes<P> {
         simple
     }
 
-    fn questions(self) -> Vec<Vec<CodeQuestion<NewShape<P>>>> {
+    fn questions(self) -> Vec<CodeQuestion<NewShape<P>>> {
         let Self { words, middle, .. } = self;
-        let (mut random_rays, mut borders) = (Vec::new(), Vec::new());
+        let mut random_rays = Vec::new();
         let mut r = Random::new(2);
         let mut shapes = vec![self.first.clone()];
         shapes.extend(random(self.any).into_iter().take(RANDOM));
@@ -176,12 +172,11 @@ impl<P: Input + 'static> Shapes<P> {
                 for ray in rays::around(middle(&shape), &mut r) {
                     random_rays.push((shape.clone(), ray));
                 }
-                borders.push((shape.clone(), rays::across(middle(&shape), &mut r)));
             }
         }
         let simple = self.simple();
         let hits = Questions {
-            words: format!("{words}; {RAY}"),
+            words: format!("{words}; {RAY}").leak(),
             simple: simple.clone(),
             others: random_rays.clone(),
             answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
@@ -190,7 +185,7 @@ impl<P: Input + 'static> Shapes<P> {
             },
         };
         let parts = Questions {
-            words: format!("{words}; {RAY}, and {PARTS}"),
+            words: format!("{words}; {RAY}, and {PARTS}").leak(),
             simple: simple.into_iter().step_by(3).take(40).collect(),
             others: random_rays.into_iter().step_by(3).collect(),
             answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
@@ -198,20 +193,7 @@ impl<P: Input + 'static> Shapes<P> {
                 Some(parts_answer(&*new(parameters).ok()?, &ray, within))
             },
         };
-        if self.is_found_by_steps {
-            borders.clear();
-        }
-        let borders = Questions {
-            words: format!(
-                "{words}; where it ends, seen from the first of {{}} along the way between the others"
-            ),
-            simple: vec![],
-            others: borders,
-            answer: |new: &NewShape<P>, (parameters, way)| {
-                Some(rays::border(&*new(parameters).ok()?, way))
-            },
-        };
-        vec![hits.into(), parts.into(), borders.into()]
+        all([hits.into(), parts.into()])
     }
 }
 
@@ -236,13 +218,10 @@ fn usual_mistakes<P: 'static>() -> Vec<Variant<NewShape<P>>> {
             let is_long = ray.direction().magnitude() > 1e-6;
             shape.hit(ray, within).filter(|_| is_long)
         }),
-        mistake(
-            "a direction may be shorter than any epsilon",
-            |shape, ray, within| {
-                let is_long = ray.direction().magnitude() > 1e-15;
-                shape.hit(ray, within).filter(|_| is_long)
-            },
-        ),
+        mistake("a short direction is not parallel", |shape, ray, within| {
+            let is_long = ray.direction().magnitude() > 1e-15;
+            shape.hit(ray, within).filter(|_| is_long)
+        }),
         mistake("t counts steps, not lengths", |shape, ray, within| {
             let mut hit = shape.hit(ray, within)?;
             hit.t *= ray.direction().magnitude();
@@ -288,7 +267,6 @@ pub fn boxes() -> Shapes<Corners> {
         further: vec![],
         on_surface: vec![[1.5, 0.0, 0.0], [0.5, -1.5, 0.25], [-0.5, 0.5, 1.5]],
         own_rays: within_faces(),
-        is_found_by_steps: false,
         middle: |(lbf, run)| [0, 1, 2].map(|k| f64::midpoint(lbf[k], run[k])),
         any: |r| {
             let lbf = r.triple(5.0);

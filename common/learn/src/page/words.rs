@@ -11,8 +11,6 @@ use crate::watch::Session;
 
 const SAVE: &str = "save the file to check it";
 const NEXT: &str = "Enter: the next exercise";
-const MORE: &str = "m: more about your code";
-const LESS: &str = "m: less about it";
 
 impl Page {
     /// The page while the file is checked: the task, and answers to keys.
@@ -36,10 +34,7 @@ impl Page {
             parts.push(self.verdict(report, screen));
         }
         parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
-        if let Some(warning) = session.progress.warning() {
-            parts.push(screen.wrap(&warning));
-        }
-        parts.push(session.progress.bars(session.course, screen.width()));
+        parts.push(session.bars());
         parts.push(screen.wrap(&self.keys()));
         parts.join("\n\n")
     }
@@ -55,7 +50,7 @@ impl Page {
 
     /// What the check says, and where the solution is if there is nothing more to say.
     fn verdict(&self, report: &Report, screen: &Screen) -> String {
-        let details = report.details(screen, self.shows_remarks);
+        let details = report.details(screen);
         let verdict = style(screen.wrap(&report.verdict)).bold();
         if !report.is_done {
             return format!("{details}{verdict}");
@@ -75,13 +70,7 @@ impl Page {
         if self.asks_for_reset {
             return RESET.to_owned();
         }
-        let Some(report) = self.report.as_ref().filter(|report| report.is_done) else {
-            return format!("{SAVE}\n{KEYS}");
-        };
-        if !report.hides_something() {
-            return format!("{NEXT}\n{KEYS}");
-        }
-        let more = if self.shows_remarks { LESS } else { MORE };
-        format!("{NEXT}; {more}\n{KEYS}")
+        let is_done = self.report.as_ref().is_some_and(|report| report.is_done);
+        format!("{}\n{KEYS}", if is_done { NEXT } else { SAVE })
     }
 }

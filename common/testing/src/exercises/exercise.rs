@@ -1,12 +1,7 @@
 //! `Exercise`: the questions, the picture and the known mistakes of an exercise.
 
-use std::rc::Rc;
-
 use common::{Error, Image, Settings, Size};
 use exercise::{Answer, Input, Question};
-
-/// Says something about code of the type `C`.
-pub type Remark<C> = fn(&C) -> Result<String, Error>;
 
 /// The answer of code of the type `C` to a question with other numbers.
 pub type AnswerTo<C> = Box<dyn Fn(&C, &[f64]) -> Answer>;
@@ -17,20 +12,9 @@ pub type Render<C> = Box<dyn Fn(&C, &Settings) -> Result<Image, Error>>;
 /// An exercise about code of the type `C`, such as a function.
 pub struct Exercise<C> {
     /// What the code is asked, in this order.
-    pub questions: Vec<Vec<CodeQuestion<C>>>,
-    /// In an exercise about rounding, what goes wrong in a formula that is right in exact
-    /// arithmetic, such as `loses digits where ...`.
-    pub rounding_flaw: Option<&'static str>,
+    pub questions: Vec<CodeQuestion<C>>,
     /// The picture that the code paints.
     pub picture: Picture<C>,
-    /// A small picture that shows what this code alone does. Learners see it instead of a scene of
-    /// the stage, which is then only compared.
-    pub drawing: Option<Render<C>>,
-    /// The section of the book about code that makes rays, such as a camera: the page below
-    /// `book/src`, and the anchor of the heading.
-    pub section_of_rays: Option<&'static str>,
-    /// Says something about code that is right.
-    pub remark: Option<Remark<C>>,
     /// Mistakes that all code of its kind may have, such as all shapes.
     pub usual: Vec<Variant<C>>,
     /// Further mistakes.
@@ -42,11 +26,7 @@ impl<C> Default for Exercise<C> {
     fn default() -> Self {
         Self {
             questions: Vec::new(),
-            rounding_flaw: None,
             picture: Picture::None,
-            drawing: None,
-            section_of_rays: None,
-            remark: None,
             usual: Vec::new(),
             wrong: Vec::new(),
         }
@@ -86,13 +66,6 @@ impl<C> Picture<C> {
     }
 }
 
-/// A drawing by the code, for an exercise whose scene another one shows, too.
-pub fn drawing<C>(
-    render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static,
-) -> Option<Render<C>> {
-    Some(Box::new(render))
-}
-
 /// A mistake of learners.
 pub struct Variant<C> {
     /// The fact that the mistake overlooks, after which learners read "that".
@@ -127,7 +100,7 @@ pub struct CodeQuestion<C> {
 /// Questions of one form.
 pub struct Questions<C, I, A> {
     /// The question, with `{}` instead of each argument.
-    pub words: String,
+    pub words: &'static str,
     /// Inputs of numbers like 0, 1 and 2, which every formula computes without rounding: at them
     /// decisions must be equal, such as for a ray that just touches.
     pub simple: Vec<I>,
@@ -137,16 +110,21 @@ pub struct Questions<C, I, A> {
     pub answer: fn(&C, I) -> A,
 }
 
+/// The questions of several forms.
+pub fn all<C, const N: usize>(forms: [Vec<CodeQuestion<C>>; N]) -> Vec<CodeQuestion<C>> {
+    forms.into_iter().flatten().collect()
+}
+
 /// The questions one by one.
 impl<C: 'static, I: Input + 'static, A: Into<Answer> + 'static> From<Questions<C, I, A>>
     for Vec<CodeQuestion<C>>
 {
     fn from(questions: Questions<C, I, A>) -> Self {
-        let (answer, words) = (questions.answer, Rc::new(questions.words));
+        let (answer, words) = (questions.answer, questions.words);
         let simple = questions.simple.into_iter().map(|input| (true, input));
         let others = questions.others.into_iter().map(|input| (false, input));
         let asked = simple.chain(others).map(|(is_simple, input)| CodeQuestion {
-            question: Question::new(&words, &input, is_simple),
+            question: Question::new(words, &input, is_simple),
             answer: Box::new(move |code: &C, numbers: &[f64]| {
                 answer(code, input.clone().with_numbers(numbers)).into()
             }),

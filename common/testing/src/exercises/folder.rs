@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use common::{Error, Image, Scene, Settings, Stage, Transfer, picture_file};
-use exercise::{Record, expected_picture};
+use exercise::Record;
 
 /// The samples of a pixel, of a scene that has more: they show mistakes as well as a hundred.
 const SAMPLES: u32 = 4;
@@ -96,9 +96,16 @@ impl StageFolder {
         settings
     }
 
-    /// The file with the expected picture of a scene.
+    /// The file with the expected picture of a scene: the book's, or, of a scene with many samples,
+    /// one with few that is recorded with the answers.
     pub(super) fn expected(&self, scene: &str) -> PathBuf {
-        expected_picture(&self.workbook(), self.stage().name, scene)
+        let name = format!("{}-{scene}.png", self.stage().name);
+        let recorded = self.folder.join("exercises/answers").join(&name);
+        if recorded.is_file() {
+            recorded
+        } else {
+            self.in_book(&name)
+        }
     }
 
     /// The lesson's picture of a scene with few samples, and the file in which it is recorded; none

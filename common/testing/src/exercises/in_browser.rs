@@ -27,15 +27,8 @@ pub fn judge<C: 'static>(
     yours: C,
     _: fn(),
 ) -> ExitCode {
-    let (folder, picture, drawing) = (*folder, exercise.picture, exercise.drawing);
+    let (folder, picture) = (*folder, exercise.picture);
     let paint = move |wanted: &str, numbers: &[f64]| match &picture {
-        _ if wanted.contains("-exercise-") && drawing.is_some() => {
-            let settings = own_settings()?;
-            drawing
-                .as_ref()
-                .map(|render| render(&yours, &settings))
-                .transpose()
-        }
         Picture::Scene(scene, render) => {
             let stage = folder.stage();
             if wanted != format!("{}-{scene}", stage.name) {
@@ -52,7 +45,6 @@ pub fn judge<C: 'static>(
     YOURS.with_borrow_mut(|yours| yours.push((name, Box::new(paint))));
     ExitCode::SUCCESS
 }
-
 /// Answers `EXERCISE PICTURE`, with the settings as numbers: the picture by the student's code, or
 /// nothing if the exercise does not draw it.
 fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {

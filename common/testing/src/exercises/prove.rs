@@ -3,20 +3,16 @@
 
 use std::error::Error;
 use std::process::ExitCode;
-use std::sync::RwLock;
 use std::{env, fs, panic};
 
-use common::difference::compare_with_file;
-use common::{Image, Transfer, picture_file};
-use exercise::{Record, compare_picture};
+use common::difference::{compare_with_file, leave_pictures};
+use common::{Transfer, picture_file};
+use exercise::Record;
 use libtest_mimic::{Arguments, Trial};
 
-use super::exercise::{Exercise, Variant};
+use super::exercise::{Exercise, Picture};
 use super::folder::StageFolder;
-use super::program::{Findings, Program, Reader};
-
-/// Starters write into one list of missing parts, and so run alone.
-static WITH_STARTER: RwLock<()> = RwLock::new(());
+use super::program::{Findings, Program, Reader, difference};
 
 type Proof = Result<(), Box<dyn Error>>;
 
@@ -61,10 +57,10 @@ struct Author {
 /// refused and recognised, and that the recorded answers are those of the solutions. A solution in
 /// which something is missing, as in a workbook for students, is not proved.
 ///
-/// The arguments are those of every test. With a part of a name, the messages about
-/// mistakes are printed, and the pictures of the solutions are saved, with the drawings of starters
-/// and mistakes, which should show what is wrong. With `always` in the
-/// variable `INSTA_UPDATE` of the environment, the answers are recorded anew.
+/// The arguments are those of every test. With a part of a name, the messages about mistakes are
+/// printed, and the pictures of the solution and of mistakes are saved, which should show what is
+/// wrong. With `always` in the variable `INSTA_UPDATE` of the environment, the answers are
+/// recorded anew.
 #[must_use]
 pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
     let arguments = Arguments::from_args();
@@ -87,76 +83,58 @@ pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
 }
 
 impl<C: 'static> Codes<C> {
-    fn program(&self, code: C) -> Program {
-        Program::new((self.exercise)(), code)
-    }
-
-    /// The mistakes, each with what it overlooks.
-    fn mistakes(&self) -> Vec<(&'static str, Program)> {
-        let Exercise { usual, wrong, .. } = (self.exercise)();
-        let program =
-            |Variant { overlooks, make }| (overlooks, self.program(make((self.solution)())));
-        usual.into_iter().chain(wrong).map(program).collect()
-    }
-
     fn prove(&self, name: &str, author: &Author) -> Proof {
+        let mut exercise = (self.exercise)();
+        let mistakes = exercise.usual.drain(..).chain(exercise.wrong.drain(..));
+        let mistakes: Vec<_> = mistakes
+            .map(|mistake| (mistake.overlooks, (mistake.make)((self.solution)())))
+            .collect();
         let folder = &author.folder;
-        let solution = self.program((self.solution)());
-        {
-            let _alone = WITH_STARTER.write();
-            if solution.is_unfinished() {
-                return Ok(());
-            }
-            let starter = self.program((self.starter)());
-            if !starter.is_unfinished() {
-                return Err("nothing is missing in the starter".into());
-            }
-            let drawing = starter.draw(true, author.reader());
-            author.save_drawing(drawing.as_ref(), name, "unfinished");
+        let solution = Program {
+            exercise: &exercise,
+            code: &(self.solution)(),
+        };
+        if solution.is_unfinished() {
+            return Ok(());
         }
-        let _together = WITH_STARTER.read();
-        let mistakes = self.mistakes();
-        if mistakes.len() < 3 {
-            return Err("there are less than three mistakes".into());
+        let starter = Program {
+            exercise: &exercise,
+            code: &(self.starter)(),
+        };
+        if !starter.is_unfinished() {
+            return Err("nothing is missing in the starter".into());
         }
-        let record = self.record(&solution, &mistakes);
-        author.compare(name, &record)?;
+        let rows = solution.rows();
+        let mut record = Record::default();
+        for (overlooks, code) in &mistakes {
+            let program = Program { code, ..solution };
+            record.mistakes.push(program.mistake(overlooks, &rows));
+        }
+        record.rows = rows;
+        author.compare(name, &record, &exercise.picture)?;
 
         let found = solution.run(self.examples, &record, folder, author.reader());
         if !found.verdict.wrong.is_empty() {
             return Err(format!("the solution: {}", found.verdict.wrong.join("\n")).into());
         }
         author.compare_picture(name, &found)?;
-        for (overlooks, program) in mistakes {
+        for (overlooks, code) in &mistakes {
+            let program = Program { code, ..solution };
             let found = program.run(|| (), &record, folder, author.reader());
             let known = found.verdict.known.as_deref().unwrap_or_default();
             if author.is_shown {
-                println!(
-                    "{overlooks}\n  {}\n  {known}",
-                    found.verdict.wrong.join("\n  ")
-                );
+                let wrong = found.verdict.wrong.join("\n  ");
+                println!("{overlooks}\n  {wrong}\n  {known}");
             }
-            author.save_drawing(found.drawing.as_ref(), name, overlooks);
+            if let Some(image) = &found.image {
+                let words = overlooks.replace(|letter: char| !letter.is_alphanumeric(), "-");
+                println!("{}", folder.save(image, &format!("{name}-{words}.png")));
+            }
             if !known.ends_with(&format!(" that {overlooks}")) {
                 return Err(format!("{overlooks}: accepted, or taken for another: {known}").into());
             }
         }
         Ok(())
-    }
-
-    /// The record of the solution's answers, and of those of the mistakes.
-    fn record(&self, solution: &Program, mistakes: &[(&str, Program)]) -> Record {
-        let rounding_flaw = (self.exercise)().rounding_flaw;
-        let rows = solution.rows(rounding_flaw.is_some());
-        let mistakes = mistakes.iter();
-        Record {
-            rounding_flaw: rounding_flaw.map(str::to_owned),
-            picture: solution.scene().map(str::to_owned),
-            mistakes: mistakes
-                .map(|(overlooks, program)| program.mistake(overlooks, &rows))
-                .collect(),
-            rows,
-        }
     }
 }
 
@@ -171,11 +149,11 @@ impl Author {
 
     /// Records answers and the picture of a scene with few samples, or fails if the recorded ones
     /// differ.
-    fn compare(&self, name: &str, record: &Record) -> Proof {
+    fn compare<C>(&self, name: &str, record: &Record, picture: &Picture<C>) -> Proof {
         let file = self.folder.record_file(name);
-        let picture = match &record.picture {
-            Some(scene) => self.folder.recorded_picture(scene)?,
-            None => None,
+        let picture = match picture {
+            Picture::Scene(scene, _) => self.folder.recorded_picture(scene)?,
+            _ => None,
         };
         let answers = record.to_string();
         if self.records {
@@ -203,7 +181,7 @@ impl Author {
 
     /// Fails if the picture is not the one of this name in the book.
     fn compare_picture(&self, name: &str, found: &Findings) -> Proof {
-        let Some(image) = found.drawing.as_ref().or(found.image.as_ref()) else {
+        let Some(image) = &found.image else {
             return Ok(());
         };
         let stage = self.folder.stage().name;
@@ -212,20 +190,11 @@ impl Author {
             println!("{}", self.folder.save(image, &file));
         }
         let shown = self.folder.in_book(&file);
-        if shown.is_file() {
-            compare_picture(&shown, image, Some(&self.folder.pictures()))?;
+        if shown.is_file()
+            && let Some(difference) = difference(&shown, image)
+        {
+            return Err(leave_pictures(&self.folder.pictures(), &shown, image, &difference).into());
         }
         Ok(())
-    }
-
-    /// Saves what code draws that is wrong or unfinished, if the author looks at this exercise.
-    fn save_drawing(&self, drawing: Option<&Image>, name: &str, about: &str) {
-        if let Some(drawing) = drawing.filter(|_| self.is_shown) {
-            let words = about.replace(|letter: char| !letter.is_alphanumeric(), "-");
-            println!(
-                "{}",
-                self.folder.save(drawing, &format!("{name}-{words}.png"))
-            );
-        }
     }
 }

@@ -1,5 +1,6 @@
 //! `Random`: the random parameters of checks, the same in every run.
 
+use common::Color;
 use proptest::prelude::RngExt;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
@@ -36,6 +37,12 @@ impl Random {
     /// Three numbers from `-most` to `most` in steps of a hundredth.
     pub fn triple(&mut self, most: f64) -> [f64; 3] {
         [(); 3].map(|()| self.between(-most, most))
+    }
+
+    /// A colour whose channels are from 0 to 1.5.
+    pub fn color(&mut self) -> Color {
+        let [r, g, b] = [(); 3].map(|()| self.between(0.0, 1.5));
+        Color::new(r, g, b)
     }
 
     /// A power of ten, from 1e-12 to 1e12: the length of a direction.

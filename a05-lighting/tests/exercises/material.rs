@@ -2,14 +2,7 @@
 
 use std::sync::Arc;
 
-use a02_math::Direction;
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::{Illumination, Lighting};
-use common::Color;
-use testing::exercises::{CodeQuestion, Exercise, Input, Questions, Random, Variant, random};
-
-use crate::seen::{ReceivedLight, SEEN, Seen};
+use crate::prelude::*;
 
 /// The colour of a surface of some parameters, by the ray, its hit, and the light there.
 pub type Shading<P> = Arc<dyn Fn(P, &Ray, &Hit, &dyn Lighting) -> Color + Send + Sync>;
@@ -37,25 +30,30 @@ pub fn materials<P: Input + 'static>(
     materials: impl IntoIterator<Item = Materials<P>>,
 ) -> Exercise<Shading<P>> {
     Exercise {
-        questions: materials.into_iter().map(Materials::questions).collect(),
+        questions: materials
+            .into_iter()
+            .flat_map(Materials::questions)
+            .collect(),
         usual: vec![
             mistake("the normal counts, not the face", |hit, _| {
                 hit.normal = hit.geometric_normal;
             }),
             mistake("a surface reflects the colour of the light", |_, light| {
-                light.color = Color::WHITE;
+                for arriving in &mut light.lights {
+                    arriving.color = Color::WHITE;
+                }
             }),
             mistake("light from behind adds nothing", |hit, light| {
-                light.direction = light.direction * hit.normal.dot(light.direction).signum();
+                for arriving in &mut light.lights {
+                    let side = hit.normal.dot(arriving.direction).signum();
+                    arriving.direction = arriving.direction * side;
+                }
             }),
-            in_other_light(
+            mistake(
                 "the ambient light counts once, not for each light",
-                |light| {
-                    let lights = light.lights.len() as f64;
-                    light.ambient = light.ambient * lights;
-                },
+                |_, light| light.ambient = light.ambient * light.lights.len() as f64,
             ),
-            in_other_light("the light of several lamps adds up", |light| {
+            mistake("the light of several lamps adds up", |_, light| {
                 let lights = light.lights.len() as f64;
                 for arriving in &mut light.lights {
                     arriving.color = arriving.color * (1.0 / lights);
@@ -66,42 +64,20 @@ pub fn materials<P: Input + 'static>(
     }
 }
 
-/// All light that a hit receives.
-fn received(ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> ReceivedLight {
-    let mut light = ReceivedLight {
-        ambient: lighting.ambient(),
-        lights: Vec::new(),
-    };
-    lighting.for_each_light(ray, hit, &mut |arriving| light.lights.push(*arriving));
-    light
-}
-
-/// Shading in another light.
-fn in_other_light<P: 'static>(
-    about: &'static str,
-    change: fn(&mut ReceivedLight),
-) -> Variant<Shading<P>> {
-    Variant::from_right(about, move |right: Shading<P>| {
-        shading(move |parameters, ray, hit, lighting| {
-            let mut light = received(ray, hit, lighting);
-            change(&mut light);
-            right(parameters, ray, hit, &light)
-        })
-    })
-}
-
-/// Shading that takes the hit and each light to be other ones.
+/// Shading that takes the hit and the light that it receives to be other ones.
 fn mistake<P: 'static>(
     about: &'static str,
-    change: fn(&mut Hit, &mut Illumination),
+    change: fn(&mut Hit, &mut ReceivedLight),
 ) -> Variant<Shading<P>> {
     Variant::from_right(about, move |right: Shading<P>| {
         shading(move |parameters, ray, hit, lighting| {
-            let mut light = received(ray, hit, lighting);
+            let mut light = ReceivedLight {
+                ambient: lighting.ambient(),
+                lights: Vec::new(),
+            };
+            lighting.for_each_light(ray, hit, &mut |arriving| light.lights.push(*arriving));
             let mut hit = *hit;
-            for arriving in &mut light.lights {
-                change(&mut hit, arriving);
-            }
+            change(&mut hit, &mut light);
             right(parameters, ray, &hit, &light)
         })
     })
@@ -111,7 +87,7 @@ impl<P: Input + 'static> Materials<P> {
     fn questions(self) -> Vec<CodeQuestion<Shading<P>>> {
         let Self { words, first, any } = self;
         let questions = Questions {
-            words: format!("{words}, {SEEN}"),
+            words: format!("{words}, {SEEN}").leak(),
             simple: Seen::simple().map(|seen| (first.clone(), seen)).to_vec(),
             others: random(|r| (any(r), Seen::any(r))),
             answer: |shading: &Shading<P>, (parameters, seen): (P, Seen)| {

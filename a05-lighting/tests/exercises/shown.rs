@@ -1,26 +1,10 @@
 //! Pictures of scenes in the colours of students' code.
 
-use a03_rays_cameras::{Ray, View, paint};
 use a04_intersections::instruments::recorded::push_background;
-use a04_intersections::{Hit, Interval};
 use a05_lighting::instruments::recorded::{self, push_light};
 use a05_lighting::kinds::KINDS;
-use a05_lighting::{LitWorld, Material, Phong};
-use common::{Color, Error, Image, Settings};
-use testing::exercises::Made;
 
-use crate::light::LightAt;
-use crate::seen::ReceivedLight;
-
-/// Renders a view in the colours of this function of the world, a ray, and the depth.
-pub fn rendered<W: Sync>(
-    view: &View<W>,
-    settings: &Settings,
-    color: impl Fn(&W, &Ray, u32) -> Color + Sync,
-) -> Result<Image, Error> {
-    let radiance = |ray: &Ray| color(&view.world, ray, settings.depth);
-    paint(&*view.camera, &radiance, settings)
-}
+use crate::prelude::*;
 
 /// Renders a view in the colours of this function of the diffuse colour of the material, the ray,
 /// its hit, and the lights; and records their steps.
@@ -35,7 +19,8 @@ pub fn shaded(
         ambient: Color::WHITE,
         lights: Vec::new(),
     };
-    rendered(&view, settings, |world, ray, _| {
+    let world = &view.world;
+    let radiance = |ray: &Ray| {
         let background = world.objects().background();
         let shown = match world.objects().hit(ray, Interval::AHEAD) {
             Some((hit, material)) => {
@@ -48,7 +33,8 @@ pub fn shaded(
         };
         push_background(background);
         shown
-    })
+    };
+    paint(&*view.camera, &radiance, settings)
 }
 
 /// A student's light in a scene.

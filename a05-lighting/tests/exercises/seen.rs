@@ -1,15 +1,7 @@
 //! Surfaces as an eye sees them: in light from before, from behind and along the surface, with
 //! normals aslant to the geometric normal, from all distances.
 
-use a02_math::arrays::{array, vector};
-use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::{Illumination, Lighting};
-use common::Color;
-use testing::exercises::{Input, Random};
-
-use crate::numbers::{channels, color, unit};
+use crate::prelude::*;
 
 /// The words for a surface that an eye sees in messages.
 pub const SEEN: &str = "eye towards {} at the distance {}, normal and geometric normal {}, ambient light {}, \
@@ -24,32 +16,13 @@ pub struct Seen {
     pub distance: f64,
     /// The shading normal, and the geometric normal.
     pub normals: [[f64; 3]; 2],
-    /// The channels of the ambient light.
-    pub ambient: [f64; 3],
-    /// The channels of each light, and the direction to it.
+    /// The ambient light.
+    pub ambient: Color,
+    /// Each light, and the direction to it.
     pub lights: Vec<[[f64; 3]; 2]>,
 }
 
-impl Input for Seen {
-    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
-        self.to_eye.for_each_number(f);
-        self.distance.for_each_number(f);
-        self.normals.for_each_number(f);
-        self.ambient.for_each_number(f);
-        self.lights.for_each_number(f);
-    }
-
-    fn words(&self) -> Vec<String> {
-        [
-            self.to_eye.words(),
-            self.distance.words(),
-            self.normals.words(),
-            self.ambient.words(),
-            self.lights.words(),
-        ]
-        .concat()
-    }
-}
+input! { Seen: to_eye, distance, normals, ambient, lights }
 
 impl Seen {
     /// An eye above and light from there, aslant, from behind, none but ambient light,
@@ -62,7 +35,7 @@ impl Seen {
             to_eye: up,
             distance: 1.0,
             normals: [up, up],
-            ambient: [0.0; 3],
+            ambient: Color::BLACK,
             lights: vec![[pink, up]],
         };
         [
@@ -76,7 +49,7 @@ impl Seen {
                 ..from_above.clone()
             },
             Self {
-                ambient: pink,
+                ambient: Color::new(1.0, 0.5, 0.5),
                 lights: Vec::new(),
                 ..from_above.clone()
             },
@@ -97,7 +70,7 @@ impl Seen {
                 ..from_above.clone()
             },
             Self {
-                ambient: [0.25; 3],
+                ambient: Color::gray(0.25),
                 lights: vec![[pink, up], [[0.0, 0.0, 1.0], [0.6, 0.8, 0.0]]],
                 ..from_above
             },
@@ -110,12 +83,12 @@ impl Seen {
         let geometric_normal = normal + bend * 0.4;
         let height = 1e-6 * random.between(-1.0, 1.0);
         let grazing = normal.cross(light) + normal * height;
-        let lights = [light, grazing].map(|light| [channels(random), direction(light)]);
+        let lights = [light, grazing].map(|light| [random.color().channels(), direction(light)]);
         Self {
             to_eye: direction(eye * eye.dot(geometric_normal).signum()),
             distance: random.scale(),
             normals: [normal, geometric_normal].map(direction),
-            ambient: channels(random),
+            ambient: random.color(),
             lights: lights.to_vec(),
         }
     }
@@ -141,13 +114,13 @@ impl Seen {
     #[must_use]
     pub fn light(&self) -> ReceivedLight {
         let lights = self.lights.iter();
-        let lights = lights.map(|[light, direction]| Illumination {
-            color: color(*light),
+        let lights = lights.map(|[[r, g, b], direction]| Illumination {
+            color: Color::new(*r, *g, *b),
             direction: unit(*direction),
             ..Illumination::default()
         });
         ReceivedLight {
-            ambient: color(self.ambient),
+            ambient: self.ambient,
             lights: lights.collect(),
         }
     }

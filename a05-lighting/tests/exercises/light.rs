@@ -2,14 +2,7 @@
 
 use std::sync::Arc;
 
-use a02_math::Point3;
-use a02_math::arrays::{array, point, vector};
-use a05_lighting::Illumination;
-use testing::exercises::{
-    Answer, CodeQuestion, Exercise, Input, Questions, Random, Variant, random,
-};
-
-use crate::numbers::unit;
+use crate::prelude::*;
 
 /// The light that arrives at a point.
 pub type Arriving = Option<Illumination>;
@@ -55,7 +48,7 @@ pub fn lights<P: Input + 'static>(
     lights: impl IntoIterator<Item = Lights<P>>,
 ) -> Exercise<LightAt<P>> {
     Exercise {
-        questions: lights.into_iter().map(Lights::questions).collect(),
+        questions: lights.into_iter().flat_map(Lights::questions).collect(),
         usual: vec![
             mistake("the direction leads to the light", |light| Illumination {
                 direction: -light.direction,
@@ -99,7 +92,7 @@ impl<P: Input + 'static> Lights<P> {
             others.push((light, places.triple(9.0).map(|x| x * scale)));
         }
         let questions = Questions {
-            words: format!("{}, seen from {{}}", self.words),
+            words: format!("{}, seen from {{}}", self.words).leak(),
             simple,
             others,
             answer: |light: &LightAt<P>, (parameters, p): (P, [f64; 3])| {
