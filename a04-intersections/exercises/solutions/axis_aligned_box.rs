@@ -12,7 +12,7 @@ pub struct AxisAlignedBox {
 
 impl AxisAlignedBox {
     pub fn new(lbf: Point3, run: Point3) -> Result<Self, ArgumentError> {
-        let [lbf, run] = [lbf, run].map(|corner| array(corner));
+        let [lbf, run] = [lbf, run].map(|corner| corner.to_glam().to_array());
         Ok(Self { lbf, run })
     }
 }

@@ -86,40 +86,6 @@ pub fn judged(text: &str) -> Result<Vec<Judged>, Problem> {
     Ok(all)
 }
 
-/// Results that this repository has.
-pub struct Recorded {
-    /// The name of who answered, in a sentence.
-    pub name: &'static str,
-    /// The text of the file.
-    pub results: &'static str,
-}
-
-/// With whom a student's code is compared.
-#[must_use]
-pub fn recorded() -> [Recorded; 2] {
-    [
-        Recorded {
-            name: "the lesson",
-            results: include_str!("../results/lesson.txt"),
-        },
-        Recorded {
-            name: "Embree (in single precision)",
-            results: include_str!("../results/embree.txt"),
-        },
-    ]
-}
-
-/// Counts the verdicts about the cases with these ids.
-pub fn tally_of(results: &str, ids: &[String]) -> Result<Tally, Problem> {
-    let mut tally = Tally::default();
-    for judged in judged(results)? {
-        if ids.contains(&judged.case.question.id) {
-            tally.add(judged.verdict);
-        }
-    }
-    Ok(tally)
-}
-
 /// The rows of the table: from what computes like the lesson to what does not.
 const ORDER: [&str; 13] = [
     "lesson",

@@ -7,7 +7,6 @@
 
 mod book;
 mod build;
-mod editor;
 pub mod exercise;
 pub mod files;
 mod judgement;
@@ -72,8 +71,6 @@ struct Check {
 enum Command {
     /// Lists all exercises, done and open
     List,
-    /// Writes the settings of rust-analyzer for VS Code
-    Editor,
     /// Shows the hints of an exercise
     Hint(OrNext),
     /// Checks an exercise once
@@ -101,29 +98,16 @@ fn run() -> Result<String, String> {
     let course = exercise::read_all()?;
     let CommandLine { command, shown } = CommandLine::parse();
     match command {
-        None => match chosen_or_next(&shown, course) {
-            Some(e) => watch::watch(course, e),
-            None => Ok(ALL_DONE.to_owned()),
-        },
+        None => with_chosen(&shown, course, |e| watch::watch(course, e)),
         Some(Command::List) => Ok(Screen::new().wrap(&Progress::read().list(course))),
-        Some(Command::Editor) => editor::write_settings(),
-        Some(Command::Hint(shown)) => Ok(match chosen_or_next(&shown, course) {
-            Some(e) => {
-                let hints = Screen::new().wrap_markdown(&e.hints().join("\n\n"));
-                format!("{}\n\n{hints}", e.title)
-            }
-            None => ALL_DONE.to_owned(),
+        Some(Command::Hint(shown)) => with_chosen(&shown, course, |e| {
+            let hints = Screen::new().wrap_markdown(&e.hints().join("\n\n"));
+            Ok(format!("{}\n\n{hints}", e.title))
         }),
         Some(Command::Check(Check { all: true, .. })) => check_all(course),
-        Some(Command::Check(Check { one, .. })) => match chosen_or_next(&one, course) {
-            Some(e) => check(e),
-            None => Ok(ALL_DONE.to_owned()),
-        },
+        Some(Command::Check(Check { one, .. })) => with_chosen(&one, course, check),
         Some(Command::Book) => book::build(course),
-        Some(Command::Reset(shown)) => match chosen_or_next(&shown, course) {
-            Some(e) => files::reset(e),
-            None => Ok(ALL_DONE.to_owned()),
-        },
+        Some(Command::Reset(shown)) => with_chosen(&shown, course, files::reset),
         Some(Command::Submit(submit)) => submit.run(course),
         Some(Command::Program(program)) => {
             program.run(course).map(|words| Screen::new().wrap(&words))
@@ -131,9 +115,16 @@ fn run() -> Result<String, String> {
     }
 }
 
-/// The named exercise, or the next that is not done.
-fn chosen_or_next(shown: &OrNext, course: &'static [Exercise]) -> Option<&'static Exercise> {
-    shown.name.or_else(|| Progress::read().next(course, None))
+/// Does something with the named exercise, or the next that is not done.
+fn with_chosen(
+    shown: &OrNext,
+    course: &'static [Exercise],
+    act: impl FnOnce(&'static Exercise) -> Result<String, String>,
+) -> Result<String, String> {
+    match shown.name.or_else(|| Progress::read().next(course, None)) {
+        Some(e) => act(e),
+        None => Ok(ALL_DONE.to_owned()),
+    }
 }
 
 /// Checks an exercise, and prints all that the check says. Returns the verdict, which is an error

@@ -17,8 +17,6 @@ pub struct Divergence {
     pub pixel: [u32; 2],
     /// The value in both traces, in words.
     pub words: String,
-    /// The kind of its step.
-    pub step: StepKind,
     /// The section of the book about it.
     pub section: &'static str,
 }
@@ -82,7 +80,6 @@ impl PixelTrace {
             Some(Divergence {
                 pixel: self.pixel,
                 words,
-                step: step.kind,
                 section: step.section,
             })
         })
