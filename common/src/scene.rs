@@ -80,13 +80,8 @@ pub trait Traced: Any + Send + Sync {
     /// the transfer of the settings have them; none if it is no scene of a file.
     fn numbers(&self, settings: &Settings) -> Option<Vec<NumberPlace>>;
 
-    /// The same scene with another value of a number of its file; none if this value is not allowed.
-    fn with(
-        &self,
-        settings: &Settings,
-        number: &NumberPlace,
-        value: f64,
-    ) -> Option<Box<dyn Traced>>;
+    /// The same scene with other values of some numbers of its file; none if one is not allowed.
+    fn with(&self, settings: &Settings, values: &[(&NumberPlace, f64)]) -> Option<Box<dyn Traced>>;
 
     /// How large a pixel is where its objects are; without one, a pixel of the picture.
     fn footprint(&self, settings: &Settings, pixel: Option<[u32; 2]>) -> Result<Footprint, Error>;

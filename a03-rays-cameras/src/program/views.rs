@@ -87,16 +87,11 @@ impl Traced for Views {
         }
     }
 
-    fn with(
-        &self,
-        settings: &Settings,
-        number: &NumberPlace,
-        value: f64,
-    ) -> Option<Box<dyn Traced>> {
+    fn with(&self, settings: &Settings, values: &[(&NumberPlace, f64)]) -> Option<Box<dyn Traced>> {
         match self {
             Self::Code(_) => None,
             Self::File(file) => {
-                let moved = file.with(settings, number, value)?;
+                let moved = file.with(settings, values)?;
                 Some(Box::new(Self::File(Box::new(moved))))
             }
         }

@@ -47,7 +47,7 @@ impl Opened {
         let rays = self.scene.rays()?;
         let reach = rays.footprint(settings, None)?.reach(number, 1.0);
         for step in [reach, -reach, reach / 64.0, -reach / 64.0] {
-            let moved = rays.with(settings, number, number.value + step);
+            let moved = rays.with(settings, &[(number, number.value + step)]);
             if let Some(Ok(image)) = moved.map(|moved| moved.render(settings, &())) {
                 return Ok(Some((step, image)));
             }

@@ -79,7 +79,7 @@ fn check_numbers(file: &SceneFile, text: &str) {
     }
     // One of them is enough for so long a text.
     if let Some(number) = numbers.first()
-        && let Some(same) = file.with(Transfer::default(), number, number.value)
+        && let Some(same) = file.with(Transfer::default(), &[(number, number.value)])
     {
         assert_eq!(values(&same.numbers(text)), values(&numbers), "{text}");
     }

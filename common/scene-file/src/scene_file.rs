@@ -1,5 +1,7 @@
 //! `SceneFile`: the tables of a scene file.
 
+use std::borrow::Cow;
+
 use common::Transfer;
 use toml::de::DeTable;
 
@@ -28,6 +30,8 @@ pub struct SceneFile {
     pub shapes: Vec<Item>,
     /// The definitions, also those that the copies of a repeat are uses of.
     pub definitions: Vec<Item>,
+    /// The transfer by which the colours in bytes are decoded.
+    transfer: Transfer,
     /// Notes about the meshes that are drawn in another way than their files say, each a clause
     /// with the name of the file.
     pub notes: Vec<String>,
@@ -58,6 +62,7 @@ impl SceneFile {
             lights: Vec::new(),
             shapes: Vec::new(),
             definitions: reader.definitions,
+            transfer: Transfer::Linear,
             notes: Vec::new(),
             mistake: reader.mistake,
         };
@@ -94,19 +99,26 @@ impl SceneFile {
         Ok(file)
     }
 
-    /// Takes the colours in bytes as those of pictures with this transfer. After reading it is
-    /// the linear one.
-    pub fn set_transfer(&mut self, transfer: Transfer) {
-        self.world.set_transfer(transfer);
+    /// The file with its colours in bytes as those of pictures with this transfer. After reading it
+    /// is the linear one.
+    #[must_use]
+    pub fn with_transfer(&self, transfer: Transfer) -> Cow<'_, Self> {
+        if transfer == self.transfer {
+            return Cow::Borrowed(self);
+        }
+        let mut file = self.clone();
+        file.transfer = transfer;
+        file.world.set_transfer(transfer);
         let lists = [
-            &mut self.materials,
-            &mut self.lights,
-            &mut self.shapes,
-            &mut self.definitions,
+            &mut file.materials,
+            &mut file.lights,
+            &mut file.shapes,
+            &mut file.definitions,
         ];
         for item in lists.into_iter().flatten() {
             item.set_transfer(transfer);
         }
+        Cow::Owned(file)
     }
 }
 

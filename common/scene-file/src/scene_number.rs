@@ -34,16 +34,17 @@ impl SceneFile {
         numbers
     }
 
-    /// The file with another value of a number, also in all copies of a repeat; none if its key does
-    /// not allow this value. The colours in bytes are those of this transfer.
+    /// The file with other values of some numbers, also in all copies of a repeat; none if a key does
+    /// not allow its value. The colours in bytes are those of this transfer.
     #[must_use]
-    pub fn with(&self, transfer: Transfer, number: &NumberPlace, value: f64) -> Option<Self> {
-        let [least, greatest] = number.allowed;
-        if !(least..=greatest).contains(&value) {
-            return None;
+    pub fn with(&self, transfer: Transfer, values: &[(&NumberPlace, f64)]) -> Option<Self> {
+        for (number, value) in values {
+            let [least, greatest] = number.allowed;
+            if !(least..=greatest).contains(value) {
+                return None;
+            }
         }
-        let mut file = self.clone();
-        file.set_transfer(transfer);
+        let mut file = self.with_transfer(transfer).into_owned();
         let singles = [&mut file.picture, &mut file.camera, &mut file.world];
         let lists = [
             &mut file.materials,
@@ -52,7 +53,9 @@ impl SceneFile {
             &mut file.definitions,
         ];
         for item in singles.into_iter().chain(lists.into_iter().flatten()) {
-            set_number(item, number, value);
+            for (number, value) in values {
+                set_number(item, number, *value);
+            }
         }
         Some(file)
     }

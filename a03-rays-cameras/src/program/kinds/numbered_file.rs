@@ -24,14 +24,15 @@ impl NumberedFile {
     /// the transfer of the settings.
     #[must_use]
     pub fn numbers(&self, settings: &Settings) -> Vec<NumberPlace> {
-        self.with_transfer(settings).numbers(&self.text)
+        let file = self.file.with_transfer(settings.transfer);
+        file.numbers(&self.text)
     }
 
-    /// The same file with another value of a number; none if this value is not allowed.
+    /// The same file with other values of some numbers; none if one is not allowed.
     #[must_use]
-    pub fn with(&self, settings: &Settings, number: &NumberPlace, value: f64) -> Option<Self> {
+    pub fn with(&self, settings: &Settings, values: &[(&NumberPlace, f64)]) -> Option<Self> {
         Some(Self {
-            file: self.file.with(settings.transfer, number, value)?,
+            file: self.file.with(settings.transfer, values)?,
             text: Arc::clone(&self.text),
             format: self.format,
         })
@@ -39,13 +40,7 @@ impl NumberedFile {
 
     /// The camera and the world of the file.
     pub fn view(&self, settings: &Settings) -> Result<View, Error> {
-        let view = (self.format.view)(&self.with_transfer(settings));
+        let view = (self.format.view)(&self.file.with_transfer(settings.transfer));
         view.map_err(|error| Error::SceneFile(error.within(&self.text)))
-    }
-
-    fn with_transfer(&self, settings: &Settings) -> SceneFile {
-        let mut file = self.file.clone();
-        file.set_transfer(settings.transfer);
-        file
     }
 }

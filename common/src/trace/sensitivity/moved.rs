@@ -6,7 +6,7 @@ use crate::{Settings, Traced};
 
 /// A pixel, and a number of its scene file.
 pub(super) struct Moved<'a> {
-    scene: &'a dyn Traced,
+    pub scene: &'a dyn Traced,
     pub settings: &'a Settings,
     pixel: [u32; 2],
     pub number: &'a NumberPlace,
@@ -55,8 +55,8 @@ impl<'a> Moved<'a> {
     }
 
     /// The scene with a value of the number; none if it is not allowed.
-    pub(super) fn scene_at(&self, value: f64) -> Option<Box<dyn Traced>> {
-        self.scene.with(self.settings, self.number, value)
+    fn scene_at(&self, value: f64) -> Option<Box<dyn Traced>> {
+        self.scene.with(self.settings, &[(self.number, value)])
     }
 
     /// The colour of the pixel in a scene; none if it is not finite.

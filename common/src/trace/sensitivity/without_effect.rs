@@ -62,13 +62,12 @@ fn effective_of<'a>(
 
 /// The pixel after all numbers of a group have been moved by their reach on one side.
 fn state(group: &[Moved], side: f64) -> Option<State> {
-    let value = |moved: &Moved| moved.number.value + side * moved.reach;
-    let (first, others) = group.split_first()?;
-    let mut scene = first.scene_at(value(first))?;
-    for moved in others {
-        scene = scene.with(moved.settings, moved.number, value(moved))?;
+    let mut values = Vec::new();
+    for Moved { number, reach, .. } in group {
+        values.push((*number, number.value + side * reach));
     }
-    first.state_in(&*scene)
+    let first = group.first()?;
+    first.state_in(&*first.scene.with(first.settings, &values)?)
 }
 
 /// Whether colour and decisions are those of the value itself at both ends, and each margin is so far
