@@ -31,7 +31,7 @@ fn experiments() -> Vec<Experiment<'static>> {
         work: "bytes",
         error: "rms error of a channel",
         exact: "against the picture that was saved",
-        curves: Box::new(|_| curves().unwrap_or_default()),
+        curves: Box::new(|| curves().unwrap_or_default()),
         ..Experiment::new("save-show-image")
     }]
 }

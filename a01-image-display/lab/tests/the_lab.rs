@@ -1,13 +1,12 @@
 //! The report on saved pictures. Bytes and errors of JPEG files are not locked: encoder and decoder
 //! may round in other ways on other machines.
 
-use measure::Effort;
 use measure::experiment::Point;
 
 #[test]
 fn png_keeps_every_byte_and_jpeg_at_no_quality() {
     for experiment in (a01_lab::laboratory().experiments)() {
-        let curves = (experiment.curves)(Effort::Quick);
+        let curves = (experiment.curves)();
         let [jpeg, png] = &curves[..] else {
             panic!("JPEG and PNG");
         };

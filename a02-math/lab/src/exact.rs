@@ -4,14 +4,14 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A rounded sum, and what rounding has lost: together they are the exact sum.
-pub struct RoundedSum {
-    pub sum: f64,
-    pub error: f64,
+struct RoundedSum {
+    sum: f64,
+    error: f64,
 }
 
 /// The rounded sum and its rounding error (Knuth, The Art of Computer
 /// Programming, volume 2, section 4.2.2).
-pub fn sum_with_error(a: f64, b: f64) -> RoundedSum {
+fn sum_with_error(a: f64, b: f64) -> RoundedSum {
     let sum = a + b;
     let b_of_sum = sum - a;
     let a_of_sum = sum - b_of_sum;

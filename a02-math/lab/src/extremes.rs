@@ -3,7 +3,6 @@
 use measure::Effort;
 use measure::extremes::{Case, Row, greatest, rows};
 
-use crate::experiments::refined;
 use crate::protocol;
 use a02_math::arrays::{array, vector};
 use a02_math::{Direction, Mat3x3, Normal3, Vector3};
@@ -36,8 +35,11 @@ fn computed(row: &Row) -> Case {
             array(protocol::projected_on(a, b)),
         ),
         "solved" => {
-            let (m, right) = (matrix(row), vector(row.triple(9)));
-            Case::of(array(refined(m, right)), array(protocol::cramer(m, right)))
+            let solution = protocol::cramer(matrix(row), vector(row.triple(9)));
+            Case {
+                ours: array(solution).into(),
+                ..Case::default()
+            }
         }
         "determinant" => Case {
             ours: matrix(row).determinant().into(),

@@ -1,27 +1,20 @@
 //! Error against work: methods to place the samples in a pixel.
 //!
-//! All samplers are tested on three kinds of pixels, because positions that are
+//! All samplers are tested on two kinds of pixels, because positions that are
 //! good for one kind may be poor for another. Every pixel's mean has a closed
 //! form, so no reference picture with more samples is needed.
 
 mod coverage;
 mod places;
 
-use measure::Effort;
 use measure::experiment::{Curve, Errors, Experiment, Point, Slope, Times};
 
-pub use coverage::{RADIUS, disc_coverage};
-use coverage::{in_disc, in_stripe, irradiance, lit, stripes};
-pub use places::sampled;
+use coverage::{disc_coverage, in_disc, in_stripe, stripes};
 use places::{METHODS, Places};
 
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![
-        CURVED_EDGE.experiment(),
-        LEVEL_EDGE.experiment(),
-        SMOOTH_SHADING.experiment(),
-    ]
+    vec![CURVED_EDGE.experiment(), LEVEL_EDGE.experiment()]
 }
 
 /// A picture whose pixels have known means, and the question that it answers.
@@ -61,16 +54,6 @@ const LEVEL_EDGE: Picture = Picture {
     slopes: [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None],
 };
 
-const SMOOTH_SHADING: Picture = Picture {
-    name: "samples-smooth-shading",
-    question: "Where should samples lie in a pixel of smooth shading?",
-    light: lit,
-    mean: irradiance,
-    width: 16,
-    height: 16,
-    slopes: [Some(-0.5), Some(-1.0), Some(-1.0), None, None],
-};
-
 /// A pixel, and its exact mean.
 struct Pixel {
     column: u32,
@@ -88,23 +71,22 @@ impl Picture {
             error: "rms error of a pixel",
             exact: "against the pixel's mean in closed form",
             seeds: &[0, 1, 2],
-            curves: Box::new(move |effort| self.curves(effort)),
+            curves: Box::new(move || self.curves()),
             ..Experiment::new(self.name)
         }
     }
 
-    fn curves(self, effort: Effort) -> Vec<Curve<'static>> {
-        let counts = &[1, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
+    fn curves(self) -> Vec<Curve<'static>> {
         let mut curves = Vec::new();
         for (method, slope) in METHODS.iter().zip(self.slopes) {
             let mut points = Vec::new();
-            for count in counts {
-                points.push(self.point(method.places, *count));
+            for count in [1, 4, 16, 64, 256, 1024] {
+                points.push(self.point(method.places, count));
             }
             curves.push(Curve {
                 slope: slope.map(|value| Slope {
                     value,
-                    between: 16.0..=4096.0,
+                    between: 16.0..=1024.0,
                 }),
                 ..Curve::new(method.name, points)
             });

@@ -5,7 +5,6 @@
 
 mod experiments;
 mod extremes;
-mod neumaier;
 pub mod protocol;
 
 use measure::Laboratory;

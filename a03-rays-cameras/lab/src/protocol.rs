@@ -78,11 +78,3 @@ pub fn mean_byte(samples: &[u8]) -> u8 {
     let sum: usize = samples.iter().map(|byte| usize::from(*byte)).sum();
     (sum / samples.len()) as u8
 }
-
-/// The sum over a square grid, divided by `samples`. It is too dark if `samples`
-/// is no square number, because the grid is smaller, and NaN if it is 0.
-pub fn mean_over_grid(samples: u32, value: f64) -> f64 {
-    let cells = samples.isqrt();
-    let sum: f64 = (0..cells * cells).map(|_| value).sum();
-    sum / f64::from(samples)
-}

@@ -1,5 +1,5 @@
 //! The striped sky: the number, the colours and the borders of its stripes. The extreme
-//! cases Q05, Q06, Q14 and Q15 count the stripes of whole pictures.
+//! cases Q05, Q14 and Q15 count the stripes of whole pictures.
 
 use a02_math::Point3;
 use a03_rays_cameras::{PinholeCamera, StripeRule, StripedSky};

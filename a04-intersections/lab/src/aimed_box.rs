@@ -4,7 +4,6 @@ use a02_math::Point3;
 use a02_math::arrays::{array, point};
 use a03_rays_cameras::Ray;
 
-use crate::line::Line;
 use crate::protocol::{self, Compared};
 use crate::support::Numbers;
 
@@ -57,7 +56,7 @@ pub struct Formula {
 }
 
 /// The formulas of others.
-pub const OTHERS: [Formula; 3] = [
+pub const OTHERS: [Formula; 2] = [
     Formula {
         name: "three coordinates compared",
         t: |ray| protocol::axis_aligned_box(LBF, RUN, ray, Compared::Three),
@@ -66,28 +65,4 @@ pub const OTHERS: [Formula; 3] = [
         name: "two coordinates compared",
         t: |ray| protocol::axis_aligned_box(LBF, RUN, ray, Compared::Two),
     },
-    Formula {
-        name: "naive slabs",
-        t: |ray| slabs(LBF, RUN, ray),
-    },
 ];
-
-/// Naive slabs: no margin for rounding, and NaN for a ray in the plane of a face.
-pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
-    let (low, high) = (array(lbf), array(run));
-    let Line { origin, direction } = Line::of(ray);
-    let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
-    for axis in 0..3 {
-        let inverse = 1.0 / direction[axis];
-        let a = (low[axis] - origin[axis]) * inverse;
-        let b = (high[axis] - origin[axis]) * inverse;
-        near = near.max(a.min(b));
-        far = far.min(a.max(b));
-    }
-    // Comparisons with NaN are false.
-    let is_missed = near > far || far < 0.0;
-    if is_missed {
-        return None;
-    }
-    Some(if near >= 0.0 { near } else { far })
-}

@@ -14,7 +14,6 @@ use a04_intersections::Triangle;
 pub enum Aim {
     Corners,
     Edges,
-    MiddlesOfEdges,
     Anywhere,
 }
 
@@ -25,7 +24,6 @@ impl Aim {
         match self {
             Self::Corners => Some(0.0),
             Self::Edges => Some(numbers.between(0.0, 1.0)),
-            Self::MiddlesOfEdges => Some(0.5),
             Self::Anywhere => None,
         }
     }
@@ -34,7 +32,6 @@ impl Aim {
         match self {
             Self::Corners => "at corners",
             Self::Edges => "at edges",
-            Self::MiddlesOfEdges => "at the middles of edges",
             Self::Anywhere => "anywhere, which proves nothing",
         }
     }

@@ -1,7 +1,6 @@
 //! Stiff and extreme cases of rays and shapes: the rows of `cases.toml`, and here counts over many rays and what
 //! has a formula of its own.
 
-mod axis_aligned_box;
 mod coincident;
 mod leaks;
 mod plane;
@@ -24,8 +23,7 @@ const ROWS: &str = include_str!("../cases.toml");
 pub fn cases(effort: Effort) -> Vec<Case> {
     let mut cases = [
         measure::extremes::rows(ROWS, computed),
-        sphere::cases(effort),
-        axis_aligned_box::cases(),
+        sphere::cases(),
         triangle::cases(),
         vec![no_number()],
         plane::cases(effort),

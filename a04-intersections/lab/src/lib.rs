@@ -5,7 +5,6 @@
 
 pub mod aimed_box;
 pub mod closed_mesh;
-pub mod condition;
 pub mod exact;
 pub mod experiments;
 mod extremes;

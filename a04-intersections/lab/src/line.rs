@@ -4,7 +4,7 @@ use a02_math::arrays::{array, point, vector};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
 
-use crate::number::{Number, Real, Triple};
+use crate::number::{Number, Triple};
 
 /// The points `origin + t direction`.
 #[derive(Clone, Copy, Debug)]
@@ -44,16 +44,6 @@ impl Line {
         Line {
             origin: self.origin.map(N::of),
             direction: self.direction.map(N::of),
-        }
-    }
-}
-
-impl<F: Real> Line<F> {
-    /// The line in doubles, which hold its numbers exactly.
-    pub fn in_doubles(&self) -> Line {
-        Line {
-            origin: self.origin.map(Into::into),
-            direction: self.direction.map(Into::into),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `Number`: one formula over several types of numbers.
 //!
-//! A formula stands here once. In `f64` and `f32` its rounding errors are measured; in
-//! [`DoubleDouble`], with about 31 digits, it gives the exact value that they are measured against.
+//! In `f64` the rounding errors of a formula are measured; in [`DoubleDouble`], with about 31 digits,
+//! it gives the exact value that they are measured against.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -27,50 +27,6 @@ pub trait Number:
     fn sqrt(self) -> Self;
 }
 
-/// `f32` or `f64`: numbers that computers calculate with.
-pub trait Real: Number + PartialOrd + Into<f64> {
-    /// The distance between 1 and the next greater number.
-    const EPSILON: f64;
-
-    /// The magnitude of this number with the sign of another.
-    #[must_use]
-    fn copysign(self, sign: Self) -> Self;
-
-    /// The lesser of two numbers, or the one that is a number.
-    #[must_use]
-    fn min(self, other: Self) -> Self;
-
-    /// The greater of two numbers, or the one that is a number.
-    #[must_use]
-    fn max(self, other: Self) -> Self;
-}
-
-impl Number for f32 {
-    fn of(number: f64) -> Self {
-        number as Self
-    }
-
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-}
-
-impl Real for f32 {
-    const EPSILON: f64 = Self::EPSILON as f64;
-
-    fn copysign(self, sign: Self) -> Self {
-        self.copysign(sign)
-    }
-
-    fn min(self, other: Self) -> Self {
-        self.min(other)
-    }
-
-    fn max(self, other: Self) -> Self {
-        self.max(other)
-    }
-}
-
 impl Number for f64 {
     fn of(number: f64) -> Self {
         number
@@ -78,22 +34,6 @@ impl Number for f64 {
 
     fn sqrt(self) -> Self {
         self.sqrt()
-    }
-}
-
-impl Real for f64 {
-    const EPSILON: f64 = Self::EPSILON;
-
-    fn copysign(self, sign: Self) -> Self {
-        self.copysign(sign)
-    }
-
-    fn min(self, other: Self) -> Self {
-        self.min(other)
-    }
-
-    fn max(self, other: Self) -> Self {
-        self.max(other)
     }
 }
 

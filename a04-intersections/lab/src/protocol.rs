@@ -7,7 +7,7 @@ use a02_math::{Direction, Mat3x3, Normal3, Point3};
 use a03_rays_cameras::Ray;
 
 use crate::formula::sphere::Shot;
-use crate::number::{Real, dot};
+use crate::number::dot;
 
 /// Least distance of a hit, included for the triangle and excluded for box and
 /// sphere: a fixed number, as if all scenes had the same size and all directions
@@ -97,20 +97,18 @@ pub fn interpolated_normal([a, b, c]: [Normal3; 3], beta: f64, gamma: f64) -> No
 /// The sphere. Discriminant and roots cancel. The root is taken before the sign is tested.
 /// Comparisons with NaN are false and exclude it, except in the last branch, which runs only for
 /// the direction 0 and returns NaN.
-pub fn sphere<F: Real>(shot: &Shot<F>) -> Option<F> {
-    let (zero, nearest) = (F::of(0.0), F::of(0.001_f32.into()));
+pub fn sphere(shot: &Shot) -> Option<f64> {
     let Quadratic { a, b, discriminant } = sphere_equation(shot);
-    let two_a = a + a;
-    let minus = (-b - discriminant.sqrt()) / two_a;
-    let plus = (-b + discriminant.sqrt()) / two_a;
-    if minus > nearest {
+    let minus = (-b - discriminant.sqrt()) / (2.0 * a);
+    let plus = (-b + discriminant.sqrt()) / (2.0 * a);
+    if minus > NEAREST {
         return Some(minus);
-    } else if plus > nearest {
+    } else if plus > NEAREST {
         return Some(plus);
     }
-    if discriminant == zero {
-        let t = -b / two_a;
-        if t < nearest {
+    if discriminant == 0.0 {
+        let t = -b / (2.0 * a);
+        if t < NEAREST {
             return None;
         }
         return Some(t);
@@ -119,23 +117,23 @@ pub fn sphere<F: Real>(shot: &Shot<F>) -> Option<F> {
 }
 
 /// The equation `a t² + b t + c = 0` of the `t` at which a line meets a sphere.
-pub struct Quadratic<F> {
-    pub a: F,
-    pub b: F,
+pub struct Quadratic {
+    pub a: f64,
+    pub b: f64,
     /// `b² - 4 a c`.
-    pub discriminant: F,
+    pub discriminant: f64,
 }
 
 /// The sphere's equation.
-pub fn sphere_equation<F: Real>(shot: &Shot<F>) -> Quadratic<F> {
+pub fn sphere_equation(shot: &Shot) -> Quadratic {
     let (f, d) = (shot.from_center(), &shot.line.direction);
     let a = dot(d, d);
-    let b = dot(d, &f.map(|x| x + x));
+    let b = dot(d, &f.map(|x| 2.0 * x));
     let c = dot(&f, &f) - shot.radius * shot.radius;
     Quadratic {
         a,
         b,
-        discriminant: b * b - F::of(4.0) * a * c,
+        discriminant: b * b - 4.0 * a * c,
     }
 }
 

@@ -1,17 +1,11 @@
 //! The experiments and extreme cases of the laboratory, and its exact arithmetic.
 
-use a02_math::arrays::array;
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::AxisAlignedBox;
-use a04_lab::aimed_box::{Aimed, LBF, RUN};
 use a04_lab::exact::{self, DoubleDouble as Number, triangle};
-use a04_lab::experiments::needle::{needles, shot};
-use a04_lab::experiments::sphere_distance::{from_afar, ours, shots};
-use a04_lab::formula::aligned_box::slabs;
+use a04_lab::experiments::far_sphere::{ours, shots};
+use a04_lab::experiments::needle::needles;
 use a04_lab::formula::sphere::{self, stable};
-use a04_lab::formula::triangle::{Shot, fused, rounded, split, watertight};
-use a04_lab::line::{Line, line};
+use a04_lab::formula::triangle::{fused, rounded, watertight};
+use a04_lab::line::line;
 use a04_lab::support::first;
 
 testing::check_lab! { a04_lab::laboratory() }
@@ -19,7 +13,7 @@ testing::check_lab! { a04_lab::laboratory() }
 #[test]
 fn the_stable_formula_is_that_of_the_renderer() {
     let mut hits = 0;
-    for shot in shots::<f64>(from_afar, 64.0, 1000).iter() {
+    for shot in shots(64.0, 1000).iter() {
         assert_eq!(stable(shot), ours(shot), "{shot:?}");
         hits += usize::from(ours(shot).is_some());
     }
@@ -30,28 +24,12 @@ fn the_stable_formula_is_that_of_the_renderer() {
 fn the_watertight_formula_is_that_of_the_renderer() {
     let mut hits = 0;
     for needle in needles(4096.0, 1024).iter() {
-        let Shot { corners, line } = shot::<f64>(needle);
         let t = first(&needle.triangle, &needle.ray);
-        assert_eq!(watertight(&corners, &line, rounded), t, "{line:?}");
+        let by_formula = watertight(&needle.corners, &needle.line, rounded);
+        assert_eq!(by_formula, t, "{:?}", needle.ray);
         hits += usize::from(t.is_some());
     }
     assert!((450..550).contains(&hits), "{hits}");
-}
-
-/// Towards faces, edges and corners, along an axis, and within a face.
-#[test]
-fn the_slabs_are_those_of_the_renderer() {
-    let shape = AxisAlignedBox::new(LBF, RUN).unwrap();
-    let mut rays: Vec<Ray> = (0..300).map(|n| Aimed::new(1 + n % 3, n).ray).collect();
-    let within_a_face = Point3::new(0.1, 0.5, 2.0);
-    rays.push(Ray::new(within_a_face, Vector3::new(0.0, 0.0, -1.0)).unwrap());
-    rays.push(Ray::new(within_a_face, Vector3::new(0.0, 0.0, 1.0)).unwrap());
-    rays.push(Ray::new(Point3::new(0.3, 0.5, 0.7), Vector3::new(0.0, 1.0, 0.0)).unwrap());
-    for ray in rays {
-        let line = Line::of(&ray);
-        let t = slabs(&array(LBF), &array(RUN), &line);
-        assert_eq!(t, first(&shape, &ray), "{line:?}");
-    }
 }
 
 /// `(1 + 2⁻³⁰)(1 - 2⁻³⁰) - 1 · 1` is `-2⁻⁶⁰`, and the rounded product is 1.
@@ -65,8 +43,6 @@ fn errors_of_products_are_added_again() {
     assert_eq!(rounded(a, b, 1.0, 1.0), 0.0);
     assert_eq!(fused(a, b, 1.0, 1.0), -least);
     assert_eq!(fused(1.0, 1.0, a, b), least);
-    assert_eq!(split(a, b, 1.0, 1.0), -least);
-    assert_eq!(split(1.0, 1.0, a, b), least);
 }
 
 /// A triangle of the condition 2, and its exact `t` in fractions.
@@ -106,7 +82,6 @@ fn a_needle_keeps_its_digits_by_exact_products() {
     assert!((0.06..0.07).contains(&off(watertight(&corners, &line, rounded))));
     let few = 4.0 * f64::EPSILON;
     assert!(off(watertight(&corners, &line, fused)) <= few);
-    assert!(off(watertight(&corners, &line, split)) <= few);
 }
 
 /// The nearest double of the exact value, and the nearest double of the rest, by mpmath.
@@ -128,20 +103,6 @@ fn a_distant_sphere_is_met_where_mpmath_says() {
     assert_exact(near, 123_456_788.253_097_03, -6.990_579_491_979_64e-9);
     assert_exact(far, 123_456_789.546_902_98, -5.964_917_363_200_716e-9);
     assert!((meeting.distance - 0.267_425_757_636_574_4).abs() < 1e-16);
-}
-
-#[test]
-fn a_huge_sphere_is_met_where_mpmath_says() {
-    let meeting = exact::sphere(&sphere::Shot {
-        center: [0.0, -1e6, 0.0],
-        radius: 1e6,
-        line: line([0.3, 1.1, 0.7], [0.1, -1.0, 0.2]),
-    });
-    let [near, _] = meeting.roots.unwrap();
-    let error = near.error_of(1.100_000_507_250_114_2);
-    // The cancellation of 1e6 costs six of the digits.
-    let off = (error - 3.139_038_135_339_884_2e-18).abs();
-    assert!(off < 1e-24, "{error:e}");
 }
 
 #[test]

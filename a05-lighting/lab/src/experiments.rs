@@ -2,10 +2,9 @@
 
 mod facets;
 mod phong;
-mod spot_rim;
 
 use measure::experiment::Experiment;
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![facets::experiment(), phong::power(), spot_rim::experiment()]
+    vec![facets::experiment(), phong::power()]
 }

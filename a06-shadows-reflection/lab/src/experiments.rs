@@ -1,14 +1,12 @@
-//! Error against run time for mirrors and shadows.
+//! Error against run time for shadows.
 
-mod recursion_depth;
 pub mod secondary_rays;
 mod shadow_terminator;
 
 use measure::experiment::Experiment;
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    let mut all = vec![recursion_depth::experiment()];
-    all.extend(secondary_rays::experiments());
+    let mut all = secondary_rays::experiments();
     all.push(shadow_terminator::experiment());
     all
 }

@@ -11,7 +11,6 @@ use measure::extremes::{Case, Row, rows};
 pub fn cases(effort: Effort) -> Vec<Case> {
     let mut cases = rows(include_str!("../cases.toml"), computed);
     cases.extend(shadows::many_points(effort));
-    cases.push(between_mirrors::reflected_a_million_times());
     cases
 }
 

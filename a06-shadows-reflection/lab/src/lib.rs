@@ -4,10 +4,8 @@
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub mod coarse_ball;
-mod enclosure;
 pub mod experiments;
 mod extremes;
-pub mod form;
 pub mod lit_points;
 mod mirrors;
 pub mod policy;

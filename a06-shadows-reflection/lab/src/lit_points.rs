@@ -1,15 +1,13 @@
 //! Rays that leave the shape that they have hit, in scenes of every size: no ray
 //! may hit it again, and no ray may miss an object close to it.
 
-use a02_math::arrays::array;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use a04_lab::support::{Numbers, Triple};
 use common::{Error, argument};
 
-use crate::form::{Form, OnSurface};
-use crate::policy::{Policy, Test};
+use crate::policy::Policy;
 use crate::surface::{Shape, Surface, at};
 
 /// A point that a light shines on.
@@ -30,43 +28,16 @@ impl Trial {
         self.ray.at(self.hit.t)
     }
 
-    /// The computed point, reprojected onto the surface; a shape that cannot do that leaves it where it is.
-    pub fn reproject(&self) -> OnSurface {
-        match self.surface.form {
-            Some(form) => form.reproject(self.point()),
-            None => OnSurface {
-                point: self.point(),
-                error: Vector3::default(),
-            },
-        }
-    }
-
-    /// The geometric normal on the side of the light.
-    pub fn normal_to_the_light(&self) -> Vector3 {
-        let normal = Vector3::from(self.hit.geometric_normal);
-        normal * 1.0_f64.copysign(self.light.dot(normal))
-    }
-
     /// Whether the shape, which is convex, shadows itself.
     pub fn shades_itself(&self, policy: Policy) -> bool {
         let to_light = policy(self);
-        match self.surface.form {
-            Some(form) if to_light.test != Test::Lesson => to_light.hits(&form),
-            _ => self.surface.world.is_hit(&to_light.ray, to_light.within),
-        }
+        self.surface.is_hit(&to_light.ray, to_light.within)
     }
 
     /// Whether an object at the distance `near` before the light, in sizes, is missed.
     pub fn leaks(&self, policy: Policy, near: f64) -> bool {
         let to_light = policy(self);
         let before = self.point() + self.light * (near * self.size);
-        if to_light.test != Test::Lesson {
-            let occluder = Form::Plane {
-                a: array(before),
-                normal: array(self.light),
-            };
-            return !to_light.hits(&occluder);
-        }
         let Ok(occluder) = Plane::new(before, self.light.as_normal()) else {
             return true;
         };
@@ -140,7 +111,7 @@ pub fn trials(
             target,
         } = look(&mut numbers)?;
         let ray = Ray::new(eye, target - eye)?;
-        let Some((hit, ())) = surface.world.hit(&ray, Interval::AHEAD) else {
+        let Some((hit, ())) = surface.hit(&ray, Interval::AHEAD) else {
             continue;
         };
         let light = numbers.triple(-1.0, 1.0).unit("light")?;

@@ -5,5 +5,5 @@ mod inverses;
 use measure::experiment::Experiment;
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![inverses::nesting(), inverses::condition()]
+    vec![inverses::experiment()]
 }

@@ -13,7 +13,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     let mut cases = rows(include_str!("../cases.toml"), computed);
     cases.push(discs::left(effort));
     cases.extend(matrices::cases());
-    cases.extend(nodes::cases(effort));
+    cases.extend(nodes::cases());
     cases
 }
 

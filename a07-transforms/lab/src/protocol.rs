@@ -54,12 +54,6 @@ pub fn unnormalized_normal(i: Mat4x4, n: Normal3) -> Vector3 {
     i.transposed() * Vector3::from(n)
 }
 
-/// A factor of 0 is not refused: its inverse is infinite.
-pub fn scaled_direction(factors: [f64; 3], d: Vector3) -> Vector3 {
-    let [x, y, z] = factors.map(|factor| 1.0 / factor);
-    Vector3::new(x * d.x(), y * d.y(), z * d.z())
-}
-
 /// Wrong: the program writes the translation into the last row, so that the product
 /// with a point ignores it.
 pub fn translation_in_last_row(translation: &Transform) -> Mat4x4 {

@@ -39,11 +39,10 @@ fn all_cases() -> Vec<Case> {
         .collect()
 }
 
-/// No bound is far above the condition of its case, but where many roundings add up, or a byte is computed.
+/// No bound is far above the condition of its case, but where a byte is computed.
 #[test]
 fn bounds_are_those_of_the_problem() {
-    const OF_MANY_ROUNDINGS: [&str; 5] = ["Q07", "Q08", "M11", "G15", "G28"];
-    const OF_BYTES: [&str; 2] = ["Q13", "L04"];
+    const OF_BYTES: [&str; 2] = ["L04", "Q13"];
     let mut loose = Vec::new();
     for case in all_cases() {
         let magnitude = case
@@ -63,9 +62,7 @@ fn bounds_are_those_of_the_problem() {
         }
     }
     loose.sort_unstable();
-    let mut expected = [&OF_MANY_ROUNDINGS[..], &OF_BYTES].concat();
-    expected.sort_unstable();
-    assert_eq!(loose, expected);
+    assert_eq!(loose, OF_BYTES);
 }
 
 /// The rows of the tables of all stages have ids of their own, and the errata page names
@@ -76,7 +73,7 @@ fn ids_are_unique_and_the_errata_name_existing_rows() {
     for case in all_cases() {
         assert!(ids.insert(case.id.clone()), "{} stands twice", case.id);
     }
-    assert!(ids.len() > 300, "all stages have tables");
+    assert!(ids.len() > 250, "all stages have tables");
 
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/errata.md");
     let page = fs::read_to_string(page).unwrap();

@@ -59,7 +59,7 @@ enum Task {
         file: PathBuf,
     },
     /// Measures the experiments of all stages, for the figures and plots of the book.
-    Record(recorded::Task),
+    Record,
     /// Fills in recorded figures for mdBook.
     #[command(hide = true)]
     Preprocess {
@@ -91,7 +91,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     std::env::set_current_dir(root).map_err(file::with_path(root.as_ref()))?;
     match &arguments.command {
-        Some(Task::Record(task)) => return recorded::record(task),
+        Some(Task::Record) => return recorded::record(),
         // All kinds of output are served.
         Some(Task::Preprocess { words }) if !words.is_empty() => return Ok(()),
         Some(Task::Preprocess { .. }) => return recorded::preprocess(),

@@ -19,16 +19,8 @@ const PICTURES: &str = "book/src/pictures";
 /// Where the recorder leaves its files.
 const MEASURED: &str = "target/recording";
 
-/// How it is measured.
-#[derive(clap::Args)]
-pub struct Task {
-    /// Measures in few rounds, to try the command, and leaves the book as it is
-    #[arg(long)]
-    quick: bool,
-}
-
 /// Measures all experiments in a `--release` build, and replaces recording and plots of the book.
-pub fn record(task: &Task) -> Result<(), String> {
+pub fn record() -> Result<(), String> {
     println!("building the laboratories, which takes minutes");
     let build = [
         "build",
@@ -47,12 +39,6 @@ pub fn record(task: &Task) -> Result<(), String> {
         recorder
             .arg("--head")
             .arg(format!("{key}: {}", printed.trim()));
-    }
-    if task.quick {
-        recorder.arg("--quick");
-        run(&mut recorder)?;
-        println!("{MEASURED}/recording.csv");
-        return Ok(());
     }
     run(&mut recorder)?;
     let measured = file::read(&folder.join("recording.csv"))?;

@@ -11,7 +11,7 @@ use clap::Parser;
 use common::{Error, atomic_file};
 use measure::experiment::Experiment;
 use measure::report::{self, Measured, Named};
-use measure::{Effort, Laboratory, provenance, scene_report};
+use measure::{Laboratory, provenance, scene_report};
 use rayon::ThreadPoolBuilder;
 
 /// Measures the experiments of all stages for the book.
@@ -20,9 +20,6 @@ use rayon::ThreadPoolBuilder;
 struct Arguments {
     /// The folder for `recording.csv` and the plots
     folder: PathBuf,
-    /// Measure in few rounds, to try the command
-    #[arg(long)]
-    quick: bool,
     /// A line of the head of the recording, such as `commit: 123abc`
     #[arg(long, value_name = "KEY: WORDS")]
     head: Vec<String>,
@@ -30,7 +27,6 @@ struct Arguments {
 
 /// The rounds in which the methods of an experiment take turns.
 const ROUNDS: usize = 25;
-const QUICK_ROUNDS: usize = 2;
 
 /// The scene whose samples are measured beside the experiments.
 const SAMPLED_SCENE: &str = "phong";
@@ -55,17 +51,12 @@ fn main() -> ExitCode {
 fn record(arguments: &Arguments) -> Result<(), Error> {
     // Experiments with scenes borrow these as long as the program runs.
     let laboratories: &'static [Laboratory; 7] = Box::leak(Box::new(laboratories()));
-    let rounds = if arguments.quick {
-        QUICK_ROUNDS
-    } else {
-        ROUNDS
-    };
     let mut all = Vec::new();
     for laboratory in laboratories {
         let mut measured = Vec::new();
         for experiment in experiments(laboratory)? {
             let (name, start) = (experiment.name.to_owned(), Instant::now());
-            measured.push(Measured::new(experiment, Effort::Quick, rounds, |_, _| {}));
+            measured.push(Measured::new(experiment, ROUNDS, |_, _| {}));
             let seconds = start.elapsed().as_secs_f64();
             println!("{seconds:6.1} s  {} {name}", laboratory.stage.name);
         }

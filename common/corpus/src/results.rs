@@ -87,7 +87,7 @@ pub fn judged(text: &str) -> Result<Vec<Judged>, Problem> {
 }
 
 /// The rows of the table: from what computes like the lesson to what does not.
-const ORDER: [&str; 13] = [
+const ORDER: [&str; 12] = [
     "lesson",
     "engine",
     "woop-compensated",
@@ -95,7 +95,6 @@ const ORDER: [&str; 13] = [
     "protocol",
     "parry",
     "bvh",
-    "single-precision",
     "embree",
     "open3d",
     "mitsuba",

@@ -9,7 +9,7 @@
 //! one thread, the least of several rounds: building the scene with its tree, divided by the
 //! number of objects; a pixel of a picture; a ray from the eye towards any place, and from
 //! anywhere to anywhere, as reflected ones are; and the same in a plain list, up to a thousand
-//! objects. `--two` takes two threads.
+//! objects.
 
 mod support;
 
@@ -22,7 +22,6 @@ use std::time::Instant;
 use common::{Color, Settings, Size};
 use engine::{Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface};
 use glam::DVec3;
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Errors, Experiment, Point, Times, Unit};
 use measure::report::Measured;
 use rayon::ThreadPoolBuilder;
@@ -49,11 +48,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     let mut least = [[f64::NAN; NAMES.len()]; COUNTS.len()];
-    let threads = 1 + usize::from(is_given("--two"));
-    let threads = ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let one_thread = ThreadPoolBuilder::new().num_threads(1).build()?;
     for _ in 0..5 {
         for (count, least) in COUNTS.into_iter().zip(&mut least) {
-            let now = threads.install(|| nanoseconds(count))?;
+            let now = one_thread.install(|| nanoseconds(count))?;
             *least = std::array::from_fn(|i| least[i].min(now[i]));
         }
     }
@@ -186,11 +184,11 @@ fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
         unit: Unit::Other("nanoseconds"),
         exact: "the least of several rounds",
         seeds: &[1, 2],
-        curves: Box::new(|_| (0..NAMES.len()).map(curve).collect()),
+        curves: Box::new(|| (0..NAMES.len()).map(curve).collect()),
         ..Experiment::new("scaling")
     };
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    Measured::new(experiment, Effort::Quick, 1, |_, _| {}).write_plots(folder, "engine", None)?;
+    Measured::new(experiment, 1, |_, _| {}).write_plots(folder, "engine", None)?;
     let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
     let plot = "engine-scaling.svg";
     fs::copy(folder.join(plot), pictures.join(plot))?;

@@ -21,10 +21,6 @@ enum Command {
         /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
         names: Vec<String>,
 
-        /// Measure less, in seconds
-        #[arg(long)]
-        quick: bool,
-
         /// The folder for CSV and plots [default: out/report/]
         #[arg(short, long, value_name = "DIR")]
         output: Option<PathBuf>,
@@ -59,11 +55,7 @@ pub fn run_with(
 
 fn execute(laboratory: &Laboratory, command: Command) -> Result<(), Error> {
     match command {
-        Command::Report {
-            names,
-            quick,
-            output,
-        } => report::report(laboratory, &names, quick, output),
+        Command::Report { names, output } => report::report(laboratory, &names, output),
         Command::Extremes { names } => extremes::show_extremes(laboratory, &names),
     }
 }

@@ -4,9 +4,6 @@ use std::hint::black_box;
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
-use common::text;
-
-use crate::deviation::{Deviation, Problem};
 use crate::point::{Errors, Point, Times};
 
 /// A method at all values of the parameter.
@@ -64,18 +61,18 @@ impl<'a> Curve<'a> {
 
     /// A method for sets of tasks. The work is the number of tasks; `answer` does one of them, and
     /// `errors` are those of its answer.
-    pub fn of_tasks<T: 'a, A, E: IntoIterator<Item: Into<Deviation>>>(
+    pub fn of_tasks<T: 'a, A, E: IntoIterator<Item = f64>>(
         method: &'a str,
         sets: &[TaskSet<T>],
         answer: impl Fn(&T) -> A + Copy + 'a,
         errors: impl Fn(&T, A) -> E,
     ) -> Self {
         Self::of_sets(method, sets, answer, |tasks| {
-            let mut all: Vec<Deviation> = Vec::new();
+            let mut all = Vec::new();
             let mut errors_per_task = 1;
             for task in tasks {
                 let before = all.len();
-                all.extend(errors(task, answer(task)).into_iter().map(Into::into));
+                all.extend(errors(task, answer(task)));
                 errors_per_task = errors_per_task.max(all.len() - before);
             }
             Errors::of_inputs(errors_per_task, all)
@@ -122,49 +119,4 @@ impl<'a> Curve<'a> {
         }
         Self::new(method, points)
     }
-
-    /// Whether the problem or the formula is to blame for the errors, where conditions are
-    /// known. Beyond ten times the errors of the problem, the formula is; and below a tenth of
-    /// those of the hardest problem, neither is.
-    pub(crate) fn verdict(&self) -> Option<String> {
-        let worst = self.greatest(|problem| problem.error_over_condition)?;
-        let hardest = self.greatest(|problem| problem.condition)?;
-        let unit = "times condition · ulp";
-        let greatest = worst.problem.error_over_condition;
-        let of_the_hardest = hardest.problem.error_over_condition;
-        Some(if greatest > 10.0 {
-            let at = text::rounded(worst.parameter, 5);
-            format!("up to {greatest:.0e} {unit}, at {at}: the formula is to blame")
-        } else if of_the_hardest < 0.1 {
-            let at = text::rounded(hardest.parameter, 5);
-            format!("{of_the_hardest:.0e} {unit} at {at}, the hardest: neither is to blame")
-        } else {
-            format!("at most {greatest:.2} {unit}: the problem is to blame")
-        })
-    }
-
-    /// Where a number of the problem is greatest; the last one of equal places.
-    fn greatest(&self, number: fn(&Problem) -> f64) -> Option<ProblemAt> {
-        let mut greatest: Option<ProblemAt> = None;
-        for point in &self.points {
-            let Some(problem) = point.errors.problem else {
-                continue;
-            };
-            let is_less = |other: &ProblemAt| {
-                let (other, own) = (number(&other.problem), number(&problem));
-                other.total_cmp(&own).is_le()
-            };
-            if greatest.as_ref().is_none_or(is_less) {
-                let parameter = point.parameter;
-                greatest = Some(ProblemAt { parameter, problem });
-            }
-        }
-        greatest
-    }
-}
-
-/// A problem with its value of the parameter.
-struct ProblemAt {
-    parameter: f64,
-    problem: Problem,
 }

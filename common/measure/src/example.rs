@@ -36,7 +36,7 @@ pub fn experiment() -> Experiment<'static> {
         error: "rms error",
         exact: "against 0",
         seeds: &[3, 4],
-        curves: Box::new(|_| vec![falling()]),
+        curves: Box::new(|| vec![falling()]),
         ..Experiment::new("square-root")
     }
 }

@@ -7,9 +7,7 @@
 
 use std::fmt;
 
-use crate::Effort;
 pub use crate::curve::{Curve, ErrorBound, Slope, TaskSet};
-pub use crate::deviation::{Deviation, Problem};
 use crate::fit::Fit;
 pub use crate::interval::Interval;
 pub use crate::point::{Errors, Point, Times};
@@ -92,7 +90,7 @@ pub struct Experiment<'a> {
     pub curves_are: Curves,
     /// Measures the errors of all curves, and prepares their runs to be timed. The first curve is
     /// the baseline of the times.
-    pub curves: Box<dyn Fn(Effort) -> Vec<Curve<'a>> + 'a>,
+    pub curves: Box<dyn Fn() -> Vec<Curve<'a>> + 'a>,
 }
 
 impl<'a> Experiment<'a> {
@@ -111,7 +109,7 @@ impl<'a> Experiment<'a> {
             opposite: None,
             seeds: &[],
             curves_are: Curves::Methods,
-            curves: Box::new(|_| Vec::new()),
+            curves: Box::new(Vec::new),
         }
     }
 
@@ -132,8 +130,8 @@ const SLOPE_TOLERANCE: f64 = 0.05;
 /// # Panics
 ///
 /// If there is no curve, or if one does not agree; the message lists all of them.
-pub fn check(experiment: &Experiment, effort: Effort) {
-    let curves = (experiment.curves)(effort);
+pub fn check(experiment: &Experiment) {
+    let curves = (experiment.curves)();
     let (mut points, mut wrong) = (0, Vec::new());
     for curve in &curves {
         points += curve.points.len();

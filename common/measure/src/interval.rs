@@ -3,8 +3,6 @@
 //! The inputs of an experiment are a sample of all inputs, so the error of another sample would
 //! be another one. Two errors whose intervals overlap cannot be told apart.
 
-use crate::deviation::Deviation;
-
 /// The ends of an interval that holds the true value with 95 %.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
@@ -31,7 +29,7 @@ struct Group {
 /// The interval of the root mean square of errors, those of an input side by side, by the bootstrap
 /// over inputs (B. Efron and R. J. Tibshirani, An Introduction to the Bootstrap, 1993, chapter 13).
 /// Many inputs are drawn in random groups, which has the same variance.
-pub(crate) fn of_rms(errors: &[Deviation], errors_per_input: usize) -> Interval {
+pub(crate) fn of_rms(errors: &[f64], errors_per_input: usize) -> Interval {
     let mut groups = vec![Group::default(); GROUPS.min(errors.len() / errors_per_input)];
     if groups.is_empty() {
         return Interval {
@@ -43,7 +41,7 @@ pub(crate) fn of_rms(errors: &[Deviation], errors_per_input: usize) -> Interval 
     let are_many = count == GROUPS;
     for (n, input) in errors.chunks_exact(errors_per_input).enumerate() {
         let group = if are_many { random(n, 0, count) } else { n };
-        groups[group].sum += input.iter().map(|one| one.error * one.error).sum::<f64>();
+        groups[group].sum += input.iter().map(|error| error * error).sum::<f64>();
         groups[group].count += errors_per_input as f64;
     }
     let mut drawn = Vec::new();
@@ -98,21 +96,17 @@ mod tests {
     /// 1.96 times 0.5 / sqrt(n) around the mean square of 1/2.
     #[test]
     fn the_interval_is_that_of_the_mean_square() {
-        let equal = vec![Deviation::from(-0.5); 10_000];
+        let equal = vec![-0.5; 10_000];
         let of_equal = of_rms(&equal, 1);
         assert_eq!([of_equal.low, of_equal.high], [0.5; 2]);
-        let mixed: Vec<_> = (0..10_000)
-            .map(|n| Deviation::from(f64::from(n % 2)))
-            .collect();
+        let mixed: Vec<_> = (0..10_000).map(|n| f64::from(n % 2)).collect();
         let Interval { low, high } = of_rms(&mixed, 1);
         let half = 1.96 * 0.5 / 100.0;
         for (end, exact) in [(low, 0.5 - half), (high, 0.5 + half)] {
             assert!((end * end - exact).abs() < 0.25 * half, "{low} {high}");
         }
         // If all errors come in equal fours, there are a quarter as many inputs.
-        let fours: Vec<_> = (0..10_000)
-            .map(|n| Deviation::from(f64::from(n / 4 % 2)))
-            .collect();
+        let fours: Vec<_> = (0..10_000).map(|n| f64::from(n / 4 % 2)).collect();
         let of_fours = of_rms(&fours, 4);
         assert!(of_fours.high - of_fours.low > 1.6 * (high - low));
         assert!(of_rms(&[], 1).low.is_nan());

@@ -13,7 +13,6 @@
 #[cfg(not(target_family = "wasm"))]
 mod command_line;
 mod curve;
-mod deviation;
 mod effort;
 #[cfg(test)]
 mod example;

@@ -4,7 +4,6 @@ use std::hint::black_box;
 
 use common::Median;
 
-use crate::deviation::{Deviation, Problem, rms};
 use crate::experiment::Axis;
 use crate::interval::{self, Interval};
 
@@ -37,31 +36,25 @@ pub struct Errors {
     pub rms: f64,
     /// The interval that holds the root mean square error of all inputs with 95 %.
     pub interval: Interval,
-    /// The greatest error: in units in the last place of the exact value, if these are known; otherwise
-    /// in the unit of the experiment. None of decisions.
+    /// The greatest error, in the same unit; none of decisions.
     pub max: Option<f64>,
-    /// The errors that the problem itself has, if its condition is known.
-    pub problem: Option<Problem>,
 }
 
 impl Errors {
     /// The sum of these errors, of which there is at least one: one for each input.
-    pub fn of(errors: impl IntoIterator<Item: Into<Deviation>>) -> Self {
+    pub fn of(errors: impl IntoIterator<Item = f64>) -> Self {
         Self::of_inputs(1, errors)
     }
 
     /// The same with this number of errors for each input, side by side, such as the three channels
     /// of a pixel.
-    pub fn of_inputs(
-        errors_per_input: usize,
-        errors: impl IntoIterator<Item: Into<Deviation>>,
-    ) -> Self {
-        let all: Vec<Deviation> = errors.into_iter().map(Into::into).collect();
+    pub fn of_inputs(errors_per_input: usize, errors: impl IntoIterator<Item = f64>) -> Self {
+        let all: Vec<f64> = errors.into_iter().collect();
+        let squares = all.iter().map(|error| error * error);
         Self {
-            rms: rms(all.iter().map(|one| one.error)),
+            rms: (squares.sum::<f64>() / all.len() as f64).sqrt(),
             interval: interval::of_rms(&all, errors_per_input),
-            max: all.iter().map(Deviation::size).max_by(f64::total_cmp),
-            problem: Problem::of(&all),
+            max: all.iter().map(|error| error.abs()).max_by(f64::total_cmp),
         }
     }
 
@@ -72,7 +65,6 @@ impl Errors {
             rms: fraction,
             interval: interval::of_fraction(fraction, decisions),
             max: None,
-            problem: None,
         }
     }
 

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use common::{Error, Median, atomic_file};
 
-use crate::Effort;
 use crate::experiment::{Curve, Curves, Experiment, Point};
 use crate::plot;
 use crate::provenance;
@@ -41,11 +40,10 @@ impl<'a> Measured<'a> {
     /// the first measurement and after each.
     pub fn new(
         experiment: Experiment<'a>,
-        effort: Effort,
         rounds: usize,
         mut progress: impl FnMut(usize, usize),
     ) -> Self {
-        let mut curves = (experiment.curves)(effort);
+        let mut curves = (experiment.curves)();
         let longest = curves.iter().map(|curve| curve.points.len()).max();
         let longest = longest.unwrap_or(0);
         let mut times = Vec::new();
@@ -188,12 +186,6 @@ pub fn opposite_of<'m, 'a>(
 struct PointTimes {
     runs: u32,
     seconds: Vec<f64>,
-}
-
-/// An error if the report of an experiment cannot be written; for a check before
-/// the measurement.
-pub fn check_writable(experiment: &Experiment, folder: &Path, stage: &str) -> Result<(), Error> {
-    atomic_file::check_writable(&file(experiment, folder, stage, CSV))
 }
 
 /// The ending of the name of a table.

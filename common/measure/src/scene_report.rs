@@ -5,7 +5,6 @@ use std::sync::{Mutex, PoisonError};
 
 use common::{Error, Image, Sampling, SamplingReport, Scene, Settings, Size};
 
-use crate::Effort;
 use crate::experiment::{Curve, Errors, Experiment, HALF_GREY_LEVEL, Point, Times};
 
 /// The experiment with the samples of a scene: their number and their places,
@@ -29,7 +28,7 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
         error: "rms error of a channel",
         exact: "against many stratified samples of two other seeds, whose own noise is taken off",
         seeds: &[0, REFERENCES[0], REFERENCES[1]],
-        curves: Box::new(move |effort| curves(scene, &settings, effort)),
+        curves: Box::new(move || curves(scene, &settings)),
         ..Experiment::new(scene.name)
     })
 }
@@ -60,8 +59,9 @@ fn channels(image: Result<Image, Error>) -> Vec<f64> {
     channels
 }
 
-/// The seeds of the reference pictures: no curve uses them.
+/// The seeds of the reference pictures, which no curve uses, and the samples of each.
 const REFERENCES: [u64; 2] = [0x5EED, 0x5EEE];
+const MANY: u32 = 1024;
 
 /// The channels that errors are differences from, and their own root mean square error.
 struct Reference {
@@ -70,13 +70,13 @@ struct Reference {
 }
 
 impl Reference {
-    /// The mean of two pictures with this number of samples. Each of them is off by noise of its own, so
+    /// The mean of two pictures with many samples. Each of them is off by noise of its own, so
     /// their difference has twice the mean square of one, and four times that of the mean.
-    fn of(scene: &Scene, settings: &Settings, samples: u32) -> Self {
+    fn of(scene: &Scene, settings: &Settings) -> Self {
         let [a, b] = REFERENCES.map(|seed| {
             let settings = Settings {
                 seed,
-                ..taking(settings, Sampling::Stratified, samples)
+                ..taking(settings, Sampling::Stratified, MANY)
             };
             channels(scene.render(&settings, &()))
         });
@@ -103,10 +103,8 @@ impl Reference {
 /// Half grey levels that adaptive sampling is asked for.
 const LEVELS: [f64; 6] = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5];
 
-fn curves<'a>(scene: &'a Scene, settings: &Settings, effort: Effort) -> Vec<Curve<'a>> {
-    let many = effort.choose(32, 64).pow(2) as u32;
-    let reference = Reference::of(scene, settings, many);
-    let sides = &[1, 2, 4, 8, 16][..effort.choose(4, 5)];
+fn curves<'a>(scene: &'a Scene, settings: &Settings) -> Vec<Curve<'a>> {
+    let reference = Reference::of(scene, settings);
     let mut curves = Vec::new();
     for (method, sampling) in [
         ("random", Sampling::Random),
@@ -114,7 +112,7 @@ fn curves<'a>(scene: &'a Scene, settings: &Settings, effort: Effort) -> Vec<Curv
         ("stratified", Sampling::Stratified),
     ] {
         let mut points = Vec::new();
-        for side in sides {
+        for side in [1, 2, 4, 8] {
             let settings = taking(settings, sampling, side * side);
             points.push(with_samples(scene, settings, &reference));
         }
@@ -195,7 +193,7 @@ mod tests {
     #[test]
     fn errors_and_rays_come_from_the_pictures() {
         let scene = scene();
-        let curves = (experiment(&scene).unwrap().curves)(Effort::Quick);
+        let curves = (experiment(&scene).unwrap().curves)();
         // Brighter than 1 cannot be seen.
         let shown = [
             ("random", [1.0, 0.25, 1.0 / 16.0, 1.0 / 64.0]),

@@ -64,7 +64,7 @@ const COMMANDS: &str = "| list | show traced | show opened --no-window | show cu
     | render traced painted | render --all | render traced --explain | render -- --all
     | explain traced --pixel 1,1 | explain painted --pixel 9
     | explain traced --pixel 1,1 --by-numbers
-    | report --quick | report scene traced | extremes A B01 | render --help | rendr traced | -";
+    | report | report scene traced | extremes A B01 | render --help | rendr traced | -";
 
 const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
     --transfer --open -o --output --fast --no-omit --no-window

@@ -7,9 +7,9 @@ macro_rules! check_lab {
     ($laboratory:expr) => {
         #[test]
         fn the_experiments_agree_with_theory() {
-            use measure::{Effort, experiment::check};
+            use measure::experiment::check;
             for experiment in ($laboratory.experiments)() {
-                check(&experiment, Effort::Quick);
+                check(&experiment);
             }
         }
 

@@ -1,9 +1,10 @@
 //! The angle between two vectors, from large to tiny.
+//!
+//! The inputs are numbers with few binary digits, so that the angle is known exactly and only the method
+//! rounds.
 
-use measure::Effort;
-use measure::experiment::{Axis, Curve, Deviation, Experiment, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Slope, TaskSet, Unit};
 
-use super::{WholeNumbers, task_sets};
 use crate::exact::sum_of_products;
 use crate::protocol;
 use a02_math::{Direction, Vector3};
@@ -56,16 +57,10 @@ fn odd_numbers(numbers: &mut WholeNumbers, digits: i32) -> Vector3 {
     Vector3::new(odd(), odd(), odd())
 }
 
-/// The error as a fraction of the angle.
-fn error(Task { exact, .. }: &Task, angle: f64) -> [Deviation; 1] {
-    // For small angles the arc cosine is 0 or NaN.
-    let error = if angle.is_nan() {
-        *exact
-    } else {
-        angle - exact
-    };
-    // Each vector turns by its own rounding, whatever the angle is.
-    [Deviation::new(error, *exact, 2.0 / exact).as_fraction_of(*exact)]
+/// The error as a fraction of the angle. For small angles the arc cosine is 0 or NaN.
+fn error(Task { exact, .. }: &Task, angle: f64) -> [f64; 1] {
+    let error = (angle - exact) / exact;
+    [if angle.is_nan() { 1.0 } else { error }]
 }
 
 pub fn angles() -> Experiment<'static> {
@@ -85,9 +80,18 @@ pub fn angles() -> Experiment<'static> {
 
 const SEED: u64 = 1;
 
-fn curves(effort: Effort) -> Vec<Curve<'static>> {
-    let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
-    let sets = task_sets(SEED, effort, steps, task);
+/// The number of pairs of vectors with about the same angle.
+const COUNT: usize = 4096;
+
+fn curves() -> Vec<Curve<'static>> {
+    let mut sets = Vec::new();
+    for bits in (0..=40).step_by(4) {
+        let mut numbers = WholeNumbers(SEED);
+        sets.push(TaskSet {
+            parameter: libm::scalbn(1.0, bits),
+            tasks: (0..COUNT).map(|_| task(&mut numbers, bits)).collect(),
+        });
+    }
     let curve = |method, slope, angle: fn(Vector3, Vector3) -> f64| Curve {
         slope: Some(Slope {
             value: slope,
@@ -101,4 +105,20 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
         curve("Kahan's formula", 1.0, kahan),
         curve("exact products", 0.0, exact_products),
     ]
+}
+
+/// Random whole numbers, the same in every run, from a linear congruential generator with
+/// the multiplier of Knuth's MMIX.
+struct WholeNumbers(u64);
+
+impl WholeNumbers {
+    /// A number between -2^bits and 2^bits, both excluded.
+    fn signed(&mut self, bits: u32) -> f64 {
+        const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
+        const INCREMENT: u64 = 1_442_695_040_888_963_407;
+        self.0 = self.0.wrapping_mul(MULTIPLIER).wrapping_add(INCREMENT);
+        // The high bits are the random ones.
+        let number = (self.0 >> (63 - bits)) as i64 - (1 << bits);
+        number.max(1 - (1 << bits)) as f64
+    }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 
 /// The middle and the radius of the disc whose edge is sampled.
 const MIDDLE: [f64; 2] = [31.7, 32.3];
-pub const RADIUS: f64 = 20.3;
+const RADIUS: f64 = 20.3;
 
 pub fn in_disc(x: f64, y: f64) -> bool {
     let (x, y) = (x - MIDDLE[0], y - MIDDLE[1]);
@@ -60,31 +60,4 @@ pub fn stripes(y: f64) -> f64 {
         whole * half + (y - whole * PERIOD).min(half)
     };
     below(y + 1.0) - below(y)
-}
-
-/// Height of the light over the plane, and pixels per unit of length.
-const HEIGHT: f64 = 2.0;
-const PIXELS: f64 = 4.0;
-
-/// Cosine of the angle between the plane's normal and the direction to a light
-/// over (0, 0).
-pub fn lit(x: f64, y: f64) -> f64 {
-    let (x, y) = (x / PIXELS, y / PIXELS);
-    HEIGHT / (x * x + y * y + HEIGHT * HEIGHT).sqrt()
-}
-
-/// The mean of [`lit`] over a pixel.
-pub fn irradiance(x: f64, y: f64) -> f64 {
-    let side = 1.0 / PIXELS;
-    over_corners(corner_of_light, x * side, y * side, side) / (side * side)
-}
-
-/// The integral of [`lit`] over the rectangle between (0, 0) and (`x`, `y`).
-fn corner_of_light(x: f64, y: f64) -> f64 {
-    let h = HEIGHT;
-    let distance = (x * x + y * y + h * h).sqrt();
-    let along_x = x * libm::asinh(y / (x * x + h * h).sqrt());
-    let along_y = y * libm::asinh(x / (y * y + h * h).sqrt());
-    let corner = h * libm::atan(x * y / (h * distance));
-    h * (along_x + along_y - corner)
 }

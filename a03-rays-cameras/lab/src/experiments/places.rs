@@ -42,7 +42,7 @@ pub const METHODS: [Method; 5] = [
 ];
 
 /// The renderer's own sampling.
-pub fn sampled(sampling: Sampling, column: u32, row: u32, samples: u32) -> Positions {
+fn sampled(sampling: Sampling, column: u32, row: u32, samples: u32) -> Positions {
     let settings = Settings {
         sampling,
         samples,

@@ -21,11 +21,6 @@ pub fn cases() -> Vec<Case> {
             "N stripes at full angle pi/3, N = 2..=1000: N with a wrong one at the horizon",
             horizon(),
         ),
-        Case::of_wrong(
-            "Q06",
-            "N straight stripes on N rows, N = 2..=200: rows of a wrong stripe",
-            wrong_rows(),
-        ),
         Case {
             id: "Q14".into(),
             what: "10 stripes, 480x270, full angle pi/2: stripes down the middle column".into(),
@@ -102,27 +97,6 @@ fn horizon() -> Counts {
             theirs: stripe.theirs != n / 2 + 1,
         })
     })
-}
-
-/// The protocol counts both halves of the picture from their edges.
-fn wrong_rows() -> Counts {
-    let mut counts = Both::default();
-    for n in 2..=200 {
-        let on_the_wall = |d: Vector3| d.y() / d.z().abs();
-        let size = Size::new(1, n)?;
-        let picture = StripedPicture::new(size, FRAC_PI_2, n, Wall, on_the_wall)?;
-        let of_picture: Counts = count_wrong(0..n, |row| {
-            let stripe = picture.stripe_at(0.5, f64::from(row) + 0.5);
-            Ok(Both {
-                ours: stripe.ours != n - 1 - row,
-                theirs: stripe.theirs != row + 1,
-            })
-        });
-        let of_picture = of_picture?;
-        counts.ours += of_picture.ours;
-        counts.theirs += of_picture.theirs;
-    }
-    Ok(counts)
 }
 
 /// Number of runs of one stripe from the top of the picture to its bottom.

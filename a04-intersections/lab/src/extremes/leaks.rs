@@ -15,7 +15,6 @@ use a04_intersections::{AxisAlignedBox, Triangle};
 const HERE: Point3 = Point3::ORIGIN;
 /// A position far from the origin, where coordinates are coarse, from Embree's tests.
 const FAR: Point3 = Point3::new(148_376.0, 1_234.0, -223_423.0);
-const VERY_FAR: Point3 = Point3::new(1e9, -1e9, 1e9);
 
 /// By our triangles or the protocol's.
 type IsHit = fn(&Triangle, &Ray) -> bool;
@@ -56,30 +55,6 @@ fn leaks(id: &str, middle: Point3, aim: Aim, rays: usize, protocol: Protocol) ->
         exact: Number(0.0),
         protocol,
         ..Case::of(ours, theirs)
-    }
-}
-
-/// Our leaks at three places and at three targets.
-fn all_leaks(effort: Effort) -> Case {
-    let rays = effort.choose(500, 120_000);
-    let ours = tried(|| {
-        let mut all = 0;
-        for middle in [HERE, FAR, VERY_FAR] {
-            for aim in [Aim::Corners, Aim::Edges, Aim::MiddlesOfEdges] {
-                all += leaking(middle, aim, rays, is_hit)?;
-            }
-        }
-        Ok(all)
-    });
-    Case {
-        id: "S05".into(),
-        what: format!(
-            "closed meshes at three places, {} rays at corners and edges: rays that get out",
-            9 * rays
-        ),
-        exact: Number(0.0),
-        ours,
-        ..Case::default()
     }
 }
 
@@ -129,29 +104,27 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     let mut cases = vec![
         leaks("S01", HERE, Aim::Corners, rays, Fails),
         leaks("S02", HERE, Aim::Edges, rays, Fails),
-        leaks("S03", HERE, Aim::MiddlesOfEdges, rays, Fails),
         leaks("S04", FAR, Aim::Corners, rays, Fails),
-        all_leaks(effort),
         leaks("S06", HERE, Aim::Anywhere, rays, Holds),
     ];
     let boxes = [
         BoxRows {
-            ids: ["S07", "S07t", "S07s"],
+            ids: ["S07", "S07t"],
             aim: "a face",
             faces: 1,
-            expected: [Fails, Holds, Holds],
+            expected: [Fails, Holds],
         },
         BoxRows {
-            ids: ["S08", "S08t", "S08s"],
+            ids: ["S08", "S08t"],
             aim: "an edge",
             faces: 2,
-            expected: [Fails; 3],
+            expected: [Fails; 2],
         },
         BoxRows {
-            ids: ["S09", "S09t", "S09s"],
+            ids: ["S09", "S09t"],
             aim: "a corner",
             faces: 3,
-            expected: [Fails; 3],
+            expected: [Fails; 2],
         },
     ];
     for rows in boxes {

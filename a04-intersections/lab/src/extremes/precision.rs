@@ -4,7 +4,7 @@
 use measure::Effort;
 use measure::extremes::{Both, Case, Fails, Number};
 
-use crate::experiments::sphere_distance::{Formula, from_afar, is_wrong, ours, shots};
+use crate::experiments::far_sphere::{Formula, is_wrong, ours, shots};
 use crate::formula::sphere::Shot;
 use crate::line::line;
 use crate::protocol;
@@ -13,8 +13,8 @@ use crate::support::{Numbers, Triple};
 
 /// Number of rays from a distance with a wrong decision between hit and miss of a unit sphere.
 fn wrong_hits(distance: f64, rays: usize) -> Case {
-    let shots = shots::<f64>(from_afar, distance, rays);
-    let count = |formula: Formula<f64>| {
+    let shots = shots(distance, rays);
+    let count = |formula: Formula| {
         let is_wrong = |shot: &&Shot| is_wrong(shot, formula(shot));
         shots.iter().filter(is_wrong).count()
     };

@@ -7,7 +7,7 @@
 use a02_lab::exact::DoubleDouble;
 
 use crate::line::Line;
-use crate::number::{Number, Real, Triple, difference, dot};
+use crate::number::{Number, Triple, difference, dot};
 
 /// A line towards a sphere.
 #[derive(Clone, Copy, Debug)]
@@ -24,17 +24,6 @@ impl Shot {
             center: self.center.map(N::of),
             radius: N::of(self.radius),
             line: self.line.to(),
-        }
-    }
-}
-
-impl<F: Real> Shot<F> {
-    /// The shot in doubles, which hold its numbers exactly.
-    pub fn in_doubles(&self) -> Shot {
-        Shot {
-            center: self.center.map(Into::into),
-            radius: self.radius.into(),
-            line: self.line.in_doubles(),
         }
     }
 }
@@ -88,12 +77,11 @@ impl<N: Number> Terms<N> {
     }
 }
 
-impl<F: Real> Terms<F> {
+impl Terms<f64> {
     /// The least positive root, given the power of the origin, `f · f - r²`. The root of greater
     /// magnitude is a sum; the other follows from the product of both, which is the power over `a`.
-    fn stable_root(&self, power: F) -> Option<F> {
-        let zero = F::of(0.0);
-        if self.discriminant < zero {
+    fn stable_root(&self, power: f64) -> Option<f64> {
+        if self.discriminant < 0.0 {
             return None;
         }
         let half = (self.discriminant / self.a).sqrt();
@@ -104,12 +92,12 @@ impl<F: Real> Terms<F> {
         } else {
             (greater, other)
         };
-        [near, far].into_iter().find(|t| *t > zero)
+        [near, far].into_iter().find(|t| *t > 0.0)
     }
 }
 
-/// The formula of the lesson in either precision.
-pub fn stable<F: Real>(shot: &Shot<F>) -> Option<F> {
+/// The formula of the lesson.
+pub fn stable(shot: &Shot) -> Option<f64> {
     let (f, r) = (shot.from_center(), shot.radius);
     let power = dot(&f, &f) - r * r;
     terms(&f, r, &shot.line.direction).stable_root(power)

@@ -1,34 +1,7 @@
 //! The intersection of a line and a triangle.
 
 use crate::line::Line;
-use crate::number::{Number, Real, Triple, cross, difference, dot};
-
-/// A line towards a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct Shot<N = f64> {
-    pub corners: [Triple<N>; 3],
-    pub line: Line<N>,
-}
-
-impl Shot {
-    /// The shot in numbers of another type.
-    pub fn to<N: Number>(&self) -> Shot<N> {
-        Shot {
-            corners: self.corners.map(|corner| corner.map(N::of)),
-            line: self.line.to(),
-        }
-    }
-}
-
-impl<F: Real> Shot<F> {
-    /// The shot in doubles, which hold its numbers exactly.
-    pub fn in_doubles(&self) -> Shot {
-        Shot {
-            corners: self.corners.map(|corner| corner.map(Into::into)),
-            line: self.line.in_doubles(),
-        }
-    }
-}
+use crate::number::{Number, Triple, cross, difference, dot};
 
 /// Where a line meets the plane of a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -56,14 +29,13 @@ pub fn moeller_trumbore<N: Number>([a, b, c]: &[Triple<N>; 3], line: &Line<N>) -
     }
 }
 
-impl<F: Real> Meeting<F> {
+impl Meeting<f64> {
     /// The `t` of a hit ahead, for weights that are not negative. It compares the rounded weights,
     /// as the exercise does, so that two triangles at an edge may both lose a ray. Those of a line
     /// along the plane are infinite or no numbers, and no hit.
-    pub fn hit(&self) -> Option<F> {
-        let (zero, one) = (F::of(0.0), F::of(1.0));
-        let is_inside = self.beta >= zero && self.gamma >= zero && self.beta + self.gamma <= one;
-        (is_inside && self.t > zero).then_some(self.t)
+    pub fn hit(&self) -> Option<f64> {
+        let is_inside = self.beta >= 0.0 && self.gamma >= 0.0 && self.beta + self.gamma <= 1.0;
+        (is_inside && self.t > 0.0).then_some(self.t)
     }
 }
 
@@ -71,15 +43,14 @@ impl<F: Real> Meeting<F> {
 /// Intersection", JCGT 2(1), 2013, section 3: the `t` of a hit ahead. Space is sheared until the line
 /// is the z axis; the three areas decide, and are the weights of the corners' depths. An area is a
 /// `difference_of_products` of a, b, c and d, `a b - c d`.
-pub fn watertight<F: Real>(
-    corners: &[Triple<F>; 3],
-    line: &Line<F>,
-    difference_of_products: impl Fn(F, F, F, F) -> F,
-) -> Option<F> {
-    let (zero, one) = (F::of(0.0), F::of(1.0));
+pub fn watertight(
+    corners: &[Triple; 3],
+    line: &Line,
+    difference_of_products: impl Fn(f64, f64, f64, f64) -> f64,
+) -> Option<f64> {
     let (o, d) = (&line.origin, &line.direction);
     let [x, y, z] = axes_along(d);
-    let (shear_x, shear_y, scale_z) = (d[x] / d[z], d[y] / d[z], one / d[z]);
+    let (shear_x, shear_y, scale_z) = (d[x] / d[z], d[y] / d[z], 1.0 / d[z]);
     let [a, b, c] = corners.map(|corner| {
         let depth = corner[z] - o[z];
         [
@@ -91,19 +62,19 @@ pub fn watertight<F: Real>(
     let u = difference_of_products(c[0], b[1], c[1], b[0]);
     let v = difference_of_products(a[0], c[1], a[1], c[0]);
     let w = difference_of_products(b[0], a[1], b[1], a[0]);
-    let is_any_negative = u < zero || v < zero || w < zero;
-    let is_any_positive = u > zero || v > zero || w > zero;
+    let is_any_negative = u < 0.0 || v < 0.0 || w < 0.0;
+    let is_any_positive = u > 0.0 || v > 0.0 || w > 0.0;
     let area = u + v + w;
-    if (is_any_negative && is_any_positive) || area == zero || is_beside(&[a, b, c]) {
+    if (is_any_negative && is_any_positive) || area == 0.0 || is_beside(&[a, b, c]) {
         return None;
     }
     let t = (u * a[2] + v * b[2] + w * c[2]) / area;
-    (t > zero).then_some(t)
+    (t > 0.0).then_some(t)
 }
 
 /// The axes in cyclic order; the last one is that of the direction's largest coordinate.
-fn axes_along<F: Real>(direction: &Triple<F>) -> [usize; 3] {
-    let magnitudes = direction.map(|coordinate| coordinate.copysign(F::of(1.0)));
+fn axes_along(direction: &Triple) -> [usize; 3] {
+    let magnitudes = direction.map(f64::abs);
     let mut largest = 0;
     for axis in 1..3 {
         if magnitudes[axis] > magnitudes[largest] {
@@ -114,18 +85,17 @@ fn axes_along<F: Real>(direction: &Triple<F>) -> [usize; 3] {
 }
 
 /// Whether all sheared corners lie on one side of the line, in x or in y.
-fn is_beside<F: Real>(corners: &[Triple<F>; 3]) -> bool {
-    let zero = F::of(0.0);
+fn is_beside(corners: &[Triple; 3]) -> bool {
     let mut is_beside = false;
     for axis in 0..2 {
-        is_beside |= corners.iter().all(|corner| corner[axis] > zero);
-        is_beside |= corners.iter().all(|corner| corner[axis] < zero);
+        is_beside |= corners.iter().all(|corner| corner[axis] > 0.0);
+        is_beside |= corners.iter().all(|corner| corner[axis] < 0.0);
     }
     is_beside
 }
 
 /// `a b - c d` as it stands: two roundings of products, which a difference near 0 uncovers.
-pub fn rounded<F: Real>(a: F, b: F, c: F, d: F) -> F {
+pub fn rounded(a: f64, b: f64, c: f64, d: f64) -> f64 {
     a * b - c * d
 }
 
@@ -142,40 +112,4 @@ pub fn fused(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let difference = a.mul_add(b, -product);
     let error = (-c).mul_add(d, product);
     difference + error
-}
-
-/// With the rounding errors of both products added again, by sums and products alone, for
-/// processors without fused operations.
-pub fn split(a: f64, b: f64, c: f64, d: f64) -> f64 {
-    let (first, second) = (a * b, c * d);
-    let (error_of_first, error_of_second) = (
-        error_of_product(a, b, first),
-        error_of_product(c, d, second),
-    );
-    (first - second) + (error_of_first - error_of_second)
-}
-
-/// The exact difference of a product and its rounded value, where nothing overflows or underflows
-/// (Dekker, "A Floating-Point Technique for Extending the Available Precision", Numerische
-/// Mathematik 18, 1971, section 5).
-fn error_of_product(a: f64, b: f64, rounded: f64) -> f64 {
-    let (a, b) = (halves(a), halves(b));
-    let rest = a.high * b.high - rounded;
-    ((rest + a.high * b.low) + a.low * b.high) + a.low * b.low
-}
-
-/// A number as the sum of two with half of the digits each, whose products are exact.
-struct Halves {
-    high: f64,
-    low: f64,
-}
-
-/// By Veltkamp's splitting.
-fn halves(number: f64) -> Halves {
-    let scaled = 134_217_729.0 * number;
-    let high = scaled - (scaled - number);
-    Halves {
-        high,
-        low: number - high,
-    }
 }

@@ -9,7 +9,6 @@ use a04_intersections::{Interval, Triangle, World};
 use a04_lab::mesh::Mesh;
 use a04_lab::support::Numbers;
 use common::{Color, Error};
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Curves, Errors, Experiment, Point, Slope, Times, Unit};
 
 /// The error of a ball of radius 1 that is made of N triangles.
@@ -39,13 +38,13 @@ pub fn experiment() -> Experiment<'static> {
 
 const SEED: u64 = 19;
 
-fn curves(effort: Effort) -> Vec<Curve<'static>> {
+fn curves() -> Vec<Curve<'static>> {
     let curve = |name, look, normals, slope| Curve {
         slope: Some(Slope {
             value: slope,
             between: 0.0..=f64::INFINITY,
         }),
-        ..Curve::new(name, points(look, normals, effort).unwrap_or_default())
+        ..Curve::new(name, points(look, normals).unwrap_or_default())
     };
     vec![
         curve("outline", OUTLINE, Normals::Interpolated, -1.0),
@@ -90,13 +89,12 @@ const BRIGHTNESS: Look = Look {
 };
 
 /// Each number of triangles with its errors. A ray is tested against each triangle.
-fn points(look: Look, normals: Normals, effort: Effort) -> Result<Vec<Point<'static>>, Error> {
+fn points(look: Look, normals: Normals) -> Result<Vec<Point<'static>>, Error> {
     let Look { error, rays } = look;
-    let count = effort.choose(1024, 4096) / rays;
-    let most_divisions = effort.choose(4, 5) as u32;
+    let count = 1024 / rays;
     let mut points = Vec::new();
     // 20 triangles are too few for h to be small.
-    for divisions in 1..=most_divisions {
+    for divisions in 1..=4 {
         let ball = Rc::new(ball(divisions, normals)?);
         let mut errors = Vec::new();
         for n in 0..count {

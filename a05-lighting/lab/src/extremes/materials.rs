@@ -4,7 +4,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::{ArgumentError, Color};
-use measure::extremes::{Absolute, Case, Fails, Known, Number, Outcome, Refused};
+use measure::extremes::{Absolute, Case, Fails, Known, Number, Outcome};
 
 use crate::protocol;
 use a05_lighting::{DirectionalLight, Lambert, LitWorld, Material, Phong};
@@ -58,11 +58,6 @@ pub fn power(cosine: f64, exponent: f64) -> Case {
     Case::of(ours, protocol::highlight(cosine, exponent))
 }
 
-fn of_no_direction() -> Case {
-    let ray = Ray::new(Point3::ORIGIN, Vector3::new(f64::NAN, 0.0, 1.0));
-    Case::of(ray.map(|_| true), protocol::highlight(f64::NAN, 0.0))
-}
-
 /// Without the sum over lights, only one counts; the highlight has the colour of the
 /// light, not of the surface; a light brighter than 1 is valid, and only the picture is
 /// clamped.
@@ -73,13 +68,6 @@ pub fn cases() -> Vec<Case> {
     let eye = Vector3::new(-0.8, 0.0, 0.6);
     let white_highlight = protocol::highlight(1.0, 64.0);
     vec![
-        Case {
-            id: "F20".into(),
-            what: "a ray of direction NaN, whose highlight has exponent 0".into(),
-            exact: Refused,
-            protocol: Fails,
-            ..of_no_direction()
-        },
         Case {
             id: "F36".into(),
             what: "highlight of a light from behind the surface, exponent 2".into(),

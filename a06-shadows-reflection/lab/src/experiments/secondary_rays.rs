@@ -7,14 +7,10 @@ use std::rc::Rc;
 use a02_math::{Point3, Vector3};
 use a04_lab::support::Numbers;
 use common::Error;
-use measure::Effort;
 use measure::experiment::{Axis, Curve, ErrorBound, Experiment, TaskSet, Unit};
 
 use crate::lit_points::{AIM, Aim, Look, SEED, Trial, looks, trials};
-use crate::policy::{
-    Policy, above_a_thousandth, above_zero, error_bounds, offset, relative, relative_to_t, single,
-    stepped,
-};
+use crate::policy::{Policy, above_a_thousandth, above_zero, offset, relative_to_t};
 use crate::surface::{SHAPES, Shape, cuboid, plane, sphere, triangle};
 
 pub fn experiments() -> Vec<Experiment<'static>> {
@@ -71,7 +67,7 @@ struct Method {
 pub const NEAR: [f64; 2] = [1e-4, 1e-9];
 
 /// The rules that are compared, ours at the end.
-const METHODS: [Method; 8] = [
+const METHODS: [Method; 4] = [
     Method {
         name: "above 1e-3 (protocol)",
         policy: above_a_thousandth,
@@ -81,24 +77,8 @@ const METHODS: [Method; 8] = [
         policy: above_zero,
     },
     Method {
-        name: "above 1e-9 of the largest",
-        policy: relative,
-    },
-    Method {
         name: "above 2e-12 t (pbrt 2)",
         policy: relative_to_t,
-    },
-    Method {
-        name: "steps (Wächter, Binder)",
-        policy: stepped,
-    },
-    Method {
-        name: "error bounds (pbrt 4)",
-        policy: error_bounds,
-    },
-    Method {
-        name: "offset (single)",
-        policy: single,
     },
     Method {
         name: "offset (ours)",
@@ -119,13 +99,13 @@ impl WrongDecisions {
             exact: self.exact,
             opposite: Some(self.opposite),
             seeds: &[SEED],
-            curves: Box::new(move |effort| self.curves(effort)),
+            curves: Box::new(move || self.curves()),
             ..Experiment::new(name)
         }
     }
 
-    fn curves(&self, effort: Effort) -> Vec<Curve<'static>> {
-        let (beds, wrong) = (beds(effort), self.wrong);
+    fn curves(&self) -> Vec<Curve<'static>> {
+        let (beds, wrong) = (beds(), self.wrong);
         let mut curves = Vec::new();
         for Method { name, policy } in METHODS {
             let shades_itself = move |trial: &Trial| trial.shades_itself(policy);
@@ -145,16 +125,19 @@ impl WrongDecisions {
 /// The sizes of the first scenes, in units.
 const SIZES: [f64; 8] = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9];
 
+/// The number of rays for each shape.
+const COUNT: usize = 1_024;
+
 /// How large, thin or far the hard shapes are.
 const HARD: f64 = 1e6;
 
 /// The test beds by their numbers. Beds 1 to 8 are scenes of the [`SIZES`]; in bed 9 shapes are a million
 /// times as large as the view, in bed 10 triangles are needles, and in bed 11 the eye is a million sizes
 /// away.
-fn beds(effort: Effort) -> Vec<TaskSet<Trial>> {
+fn beds() -> Vec<TaskSet<Trial>> {
     let mut beds = Vec::new();
     for size in SIZES {
-        beds.push(points(&SHAPES, size, size, AIM, effort));
+        beds.push(points(&SHAPES, size, size, AIM));
     }
     // From above a surface through the origin.
     let above = Aim {
@@ -162,15 +145,14 @@ fn beds(effort: Effort) -> Vec<TaskSet<Trial>> {
         distance: 5.0,
         within: 7.0,
     };
-    beds.push(points(&LARGE, HARD, 1.0, above, effort));
-    let count = effort.choose(1_024, 16_384);
-    let needles = trials(count, SEED, 1.0, |numbers| needle(numbers, HARD));
+    beds.push(points(&LARGE, HARD, 1.0, above));
+    let needles = trials(COUNT, SEED, 1.0, |numbers| needle(numbers, HARD));
     beds.push(needles.unwrap_or_default().into());
     let afar = Aim {
         distance: HARD,
         ..AIM
     };
-    beds.push(points(&SHAPES, 1.0, 1.0, afar, effort));
+    beds.push(points(&SHAPES, 1.0, 1.0, afar));
     let numbered = (1..).zip(beds);
     let numbered = numbered.map(|(number, tasks)| TaskSet {
         parameter: f64::from(number),
@@ -199,12 +181,11 @@ fn needle(numbers: &mut Numbers, aspect: f64) -> Result<Look, Error> {
 }
 
 /// Lit points of some shapes of a size in a scene of a size; none where a shape fails.
-fn points(shapes: &[Shape], size: f64, scene: f64, aim: Aim, effort: Effort) -> Rc<[Trial]> {
-    let count = effort.choose(1_024, 16_384);
+fn points(shapes: &[Shape], size: f64, scene: f64, aim: Aim) -> Rc<[Trial]> {
     let mut points = Vec::new();
     for shape in shapes {
         let of_shape =
-            looks(*shape, size, scene, aim).and_then(|look| trials(count, SEED, scene, look));
+            looks(*shape, size, scene, aim).and_then(|look| trials(COUNT, SEED, scene, look));
         match of_shape {
             Ok(of_shape) => points.extend(of_shape),
             Err(_) => return Rc::new([]),
@@ -221,7 +202,7 @@ const LARGE: [Shape; 6] = [
         let up = Vector3::new(0.0, 1.0, 0.0);
         plane(Point3::new(r, 0.0, r), up.as_normal())
     },
-    |r| cuboid([-r, -r, -r], [r, 0.1, r]),
+    |r| cuboid(Point3::new(-r, -r, -r), Point3::new(r, 0.1, r)),
     |r| {
         let corners = [ALONG - ACROSS, ALONG + ACROSS, ALONG * -2.0];
         triangle(corners.map(|v| Point3::ORIGIN + v * (20.0 * r)))

@@ -7,7 +7,6 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a04_lab::support::Numbers;
 use common::{Color, Error};
-use measure::Effort;
 use measure::experiment::{Axis, Curve, ErrorBound, Experiment, Slope, TaskSet};
 
 use crate::coarse_ball::{CoarseBall, ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Start, coarse_ball};
@@ -38,14 +37,13 @@ pub fn experiment() -> Experiment<'static> {
     }
 }
 
-fn curves(effort: Effort) -> Vec<Curve<'static>> {
+fn curves() -> Vec<Curve<'static>> {
     // Each ray is tested against each triangle.
-    let most_divisions = effort.choose(3, 4) as u32;
     let mut sets = Vec::new();
-    for divisions in 0..=most_divisions {
+    for divisions in 0..=3 {
         sets.push(TaskSet {
             parameter: f64::from(20 * 4_u32.pow(divisions)),
-            tasks: lit_points(divisions, effort).unwrap_or_default(),
+            tasks: lit_points(divisions).unwrap_or_default(),
         });
     }
     let curve = |method, start: Start| {
@@ -100,9 +98,9 @@ impl LitPoint {
 }
 
 /// Points all over a ball, seen from straight above them, in lights at all angles.
-fn lit_points(divisions: u32, effort: Effort) -> Result<Rc<[LitPoint]>, Error> {
+fn lit_points(divisions: u32) -> Result<Rc<[LitPoint]>, Error> {
     let ball = Rc::new(coarse_ball(divisions, Color::BLACK)?);
-    let count = effort.choose(4_096, 16_384);
+    let count = 4_096;
     let mut points = Vec::new();
     for n in 0..count {
         let mut numbers = Numbers::new(SEED, n);

@@ -3,14 +3,13 @@
 //! Each mirror emits 1 and has the reflectance k. After D mirrors a ray has brought back
 //! 1 + k + ... + k^(D-1) = (1 - k^D) / (1 - k).
 
-use a02_math::{Direction, Point3};
+use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS as SHAPES;
-use a04_lab::support::Numbers;
 use a05_lighting::{DirectionalLight, SingleColor, instruments::recorded};
 use common::steps::{self, StepKind};
 use common::{Color, Error};
-use measure::extremes::{Absolute, Case, Known, Number, Outcome, Row, tried};
+use measure::extremes::{Case, Outcome, Row, tried};
 
 use crate::mirrors::{Mirrors, UP, level};
 use crate::protocol::{self, OneCounter};
@@ -113,27 +112,4 @@ fn under_a_ceiling(lights: usize) -> Result<f64, Error> {
     }
     let ray = Ray::derived(Point3::new(0.0, 0.5, 0.0), -UP);
     Ok(RecursiveTracer::new(&world).trace(&ray, 2).r)
-}
-
-/// The length of a direction of length 1 after a million reflections on random normals.
-fn length_after_reflections() -> f64 {
-    let mut direction = UP;
-    for i in 0..1_000_000 {
-        let normal = Numbers::new(11, i).triple(-1.0, 1.0).normalized();
-        direction = direction.reflected_on(normal.unwrap_or(UP).as_normal());
-    }
-    direction.dot(direction).sqrt()
-}
-
-/// A count over a million normals is no row.
-pub fn reflected_a_million_times() -> Case {
-    Case {
-        id: "M11".into(),
-        what: "a direction of length 1 after 1e6 reflections: its length".into(),
-        exact: Number(1.0),
-        condition: Known(1.0),
-        bound: Absolute(1e6 * f64::EPSILON),
-        ours: length_after_reflections().into(),
-        ..Case::default()
-    }
 }

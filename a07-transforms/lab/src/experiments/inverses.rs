@@ -1,13 +1,12 @@
-//! Methods for the inverse of a chain of transforms.
+//! Methods for the inverse of a chain of transforms, one of which stretches.
 
 use std::rc::Rc;
 
 use a03_rays_cameras::PixelRandom;
 use common::ArgumentError;
-use measure::Effort;
-use measure::experiment::{Axis, Curve, Deviation, Errors, Experiment, Point, Slope, Times, Unit};
+use measure::experiment::{Axis, Curve, Errors, Experiment, Point, Slope, Times, Unit};
 
-use crate::extremes::matrices::{off_identity, turn};
+use crate::extremes::matrices::off_identity;
 use crate::protocol::Chained;
 use a07_transforms::{Mat4x4, Transform};
 
@@ -16,7 +15,7 @@ struct Method {
     name: &'static str,
     /// The number of products of two matrices for each step.
     products: f64,
-    build: fn(&mut dyn Iterator<Item = &Transform>) -> Chained,
+    build: fn([&Transform; 3]) -> Chained,
 }
 
 /// The inverses of the steps, multiplied in the opposite order.
@@ -61,79 +60,28 @@ const SAME_ORDER: Method = Method {
     },
 };
 
-/// What both experiments say about their errors.
-fn of_inverses(name: &'static str) -> Experiment<'static> {
+pub fn experiment() -> Experiment<'static> {
     Experiment {
+        question: "What does an uneven stretching by k cost in digits?",
+        parameter: "stretching k",
+        seeds: &[SEED],
         work: "4x4 products",
         against: Axis::Parameter,
         error: "rms error of the numbers of M I",
         unit: Unit::Other("identity = 1"),
         exact: "against those of the identity",
-        ..Experiment::new(name)
-    }
-}
-
-pub fn nesting() -> Experiment<'static> {
-    Experiment {
-        question: "How many rotations can be nested before the inverse is no inverse?",
-        parameter: "rotations",
-        curves: Box::new(curves_of_nesting),
-        ..of_inverses("nested-rotations")
-    }
-}
-
-fn curves_of_nesting(effort: Effort) -> Vec<Curve<'static>> {
-    let turns: Vec<Transform> = (0..30)
-        .filter_map(|i| turn(Transform::IDENTITY, i).ok())
-        .collect();
-    let turns: Rc<[Transform]> = turns.into();
-    let counts = &[1e2, 1e3, 1e4, 1e5, 1e6][..effort.choose(4, 5)];
-    let curve = |method: &Method| {
-        let points = counts.iter().map(|count| nested(method, &turns, *count));
-        Curve::new(method.name, points)
-    };
-    vec![
-        Curve {
-            slope: Some(Slope {
-                value: 1.0,
-                between: 1e2..=1e6,
-            }),
-            ..curve(&OURS)
-        },
-        curve(&OF_THE_PRODUCT),
-        curve(&SAME_ORDER),
-    ]
-}
-
-/// The measurement of a number of nested rotations.
-fn nested(method: &Method, turns: &Rc<[Transform]>, count: f64) -> Point<'static> {
-    let (turns, build) = (Rc::clone(turns), method.build);
-    let run = move || build(&mut turns.iter().cycle().take(count as usize));
-    let built = run();
-    let errors = off_identity(built.m, built.i).map(|error| Deviation::new(error, 1.0, 1.0));
-    Point {
-        parameter: count,
-        work: method.products * count,
-        errors: Errors::of(errors),
-        times: Times::of(run),
-    }
-}
-
-pub fn condition() -> Experiment<'static> {
-    Experiment {
-        question: "What does an uneven stretching by k cost in digits?",
-        parameter: "stretching k",
-        seeds: &[SEED],
-        curves: Box::new(curves_of_condition),
-        ..of_inverses("condition")
+        curves: Box::new(curves),
+        ..Experiment::new("condition")
     }
 }
 
 const SEED: u64 = 10;
 
-fn curves_of_condition(effort: Effort) -> Vec<Curve<'static>> {
-    let count = effort.choose(4_096, 65_536) as u32;
-    let turns: Vec<Turns> = (0..count).filter_map(|n| Turns::random(n).ok()).collect();
+/// The number of chains that each factor stretches.
+const COUNT: u32 = 4_096;
+
+fn curves() -> Vec<Curve<'static>> {
+    let turns: Vec<Turns> = (0..COUNT).filter_map(|n| Turns::random(n).ok()).collect();
     let turns: Rc<[Turns]> = turns.into();
     let curve = |method: &Method| {
         let factors = [1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7];
@@ -180,14 +128,12 @@ fn stretched(method: &Method, turns: &Rc<[Turns]>, k: f64) -> Point<'static> {
     let build = method.build;
     let build = move |turns: &Turns| {
         let steps = [&turns.before, &stretch, &turns.after];
-        build(&mut steps.into_iter())
+        build(steps)
     };
     let mut errors = Vec::new();
     for turns in turns.iter() {
         let built = build(turns);
-        for error in off_identity(built.m, built.i) {
-            errors.push(Deviation::new(error, 1.0, k));
-        }
+        errors.extend(off_identity(built.m, built.i));
     }
     let run = Rc::clone(turns);
     Point {

@@ -1,13 +1,13 @@
 //! Chains of transforms: matrix times inverse is the identity.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
+use a02_math::Point3;
 use a02_math::arrays::array;
-use a02_math::{Point3, Vector3};
 use common::ArgumentError;
 use glam::DMat4;
 use measure::extremes::{
-    Absolute, Case, Fails, Known, Number, Outcome, Refused, Row, Triple, greatest, tried,
+    Absolute, Case, Fails, Known, Number, Outcome, Row, Triple, greatest, tried,
 };
 
 use crate::protocol::{self, Chained};
@@ -99,17 +99,6 @@ fn identity(chain: &Result<Chain, ArgumentError>) -> Case {
     Case::of(ours, theirs)
 }
 
-/// A step that the constructor refuses.
-fn refused(id: &str, what: &str, step: Step) -> Case {
-    Case {
-        id: id.to_owned(),
-        what: what.into(),
-        exact: Refused,
-        ours: step.map(|_| true).into(),
-        ..Case::default()
-    }
-}
-
 /// Where the origin goes.
 fn origin(step: Step) -> Outcome {
     step.map(|t| array(t.matrix() * Point3::ORIGIN)).into()
@@ -140,39 +129,8 @@ pub fn cases() -> Vec<Case> {
         protocol: Fails,
         ..identity(&Chain::moved_and_turned())
     }];
-    cases.extend(steps_without_an_inverse());
     cases.extend(orders());
     cases
-}
-
-/// Steps without an inverse.
-fn steps_without_an_inverse() -> Vec<Case> {
-    let down = Vector3::new(0.0, 0.0, -1.0);
-    let flattened = protocol::scaled_direction([0.0, 1.0, 1.0], down);
-    let huge = NO_STEP
-        .scale(1e100, 1e100, 1e100)
-        .and_then(|t| t.scale(1e100, 1e100, 1e100));
-    vec![
-        Case {
-            theirs: Some(Triple(array(flattened))),
-            protocol: Fails,
-            ..refused(
-                "G09",
-                "scale (0, 1, 1), which makes flat",
-                NO_STEP.scale(0.0, 1.0, 1.0),
-            )
-        },
-        refused(
-            "G24",
-            "two scales by 1e100: the square is beyond all numbers",
-            huge,
-        ),
-        refused(
-            "G25",
-            "rotate_x by infinity",
-            NO_STEP.rotate_x(f64::INFINITY),
-        ),
-    ]
 }
 
 /// The translation by the protocol, which writes it into the last row.
@@ -199,17 +157,6 @@ fn scaled_and_translated() -> Case {
     Case::of(origin(ours), theirs)
 }
 
-/// The point (1, 0, 0) after a full turn in steps of a degree.
-fn after_a_full_turn() -> Outcome {
-    tried(|| {
-        let mut turned = NO_STEP;
-        for _ in 0..360 {
-            turned = turned.rotate_z(TAU / 360.0)?;
-        }
-        Ok(array(turned.matrix() * Point3::new(1.0, 0.0, 0.0)))
-    })
-}
-
 fn orders() -> Vec<Case> {
     // Two axes exchanged, which is a reflection: the determinant is -1.
     let exchange = [
@@ -234,16 +181,6 @@ fn orders() -> Vec<Case> {
             condition: Known(2.0),
             protocol: Fails,
             ..scaled_and_translated()
-        },
-        Case {
-            id: "G28".into(),
-            what: "360 turns by a degree, of (1, 0, 0)".into(),
-            exact: Triple([1.0, 0.0, 0.0]),
-            // The angle of the whole turn moves y by as much; x changes with the given x alone.
-            condition: Known(TAU),
-            bound: Absolute(4.0 * 360.0 * EPSILON),
-            ours: after_a_full_turn(),
-            ..Case::default()
         },
         Case {
             id: "G32".into(),

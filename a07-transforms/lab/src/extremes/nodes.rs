@@ -1,20 +1,18 @@
 //! Hits through nodes, and normals under scalings, rotations and reflections; those with a single ray and exact
 //! numbers are rows.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 use std::mem;
 
 use a02_math::arrays::array;
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::PixelRandom;
-use a04_intersections::{AxisAlignedBox, Interval, Sphere};
+use a04_intersections::{Interval, Sphere};
 use a04_lab::line::{Line, line};
 use a04_lab::rows;
 use a04_lab::support::{first, point};
-use a06_lab::surface::world;
+use a06_lab::surface::surface;
 use common::{ArgumentError, Error};
 use corpus::{Question, Shape, Step};
-use measure::Effort;
 use measure::extremes::{
     Absolute, Case, Fails, Known, Number, Outcome, Refused, Row, Triple, tried,
 };
@@ -28,36 +26,6 @@ const DOWN: [f64; 3] = [0.0, 0.0, -1.0];
 /// The `t` of the first hit of a node.
 fn t(node: Result<Node, Error>, line: Line) -> Outcome {
     node.map(|node| first(&node, &line.raw_ray())).into()
-}
-
-pub fn cases(effort: Effort) -> Vec<Case> {
-    [normals(), hits(effort)].concat()
-}
-
-fn hits(effort: Effort) -> Vec<Case> {
-    vec![
-        Case {
-            id: "G15".into(),
-            what: "100 nodes of a hundredth of a turn around a box: t".into(),
-            exact: Number(4.5),
-            // Of the eye's height 5, the face's 1/2 and the direction.
-            condition: Known(5.5 / 4.5 + 1.0),
-            bound: Absolute(400.0 * 5.0 * f64::EPSILON),
-            ours: t(nested_rotations(), line([2.0, 0.25, 5.0], DOWN)),
-            ..Case::default()
-        },
-        rotated_box(effort.choose(2_000, 20_000)),
-        Case {
-            id: "G17".into(),
-            what: "a child 4 away, and one 5 away that is 10 times larger: t".into(),
-            exact: Number(4.0),
-            // Of the eye's height 5, the radius and the direction.
-            condition: Known(6.0 / 4.0 + 1.0),
-            bound: Absolute(0.0),
-            ours: t(small_and_large(), line([0.0, 0.0, 5.0], DOWN)),
-            ..Case::default()
-        },
-    ]
 }
 
 /// The `t` of a ball under a transform.
@@ -89,57 +57,9 @@ fn transform(row: &Question) -> Result<Transform, ArgumentError> {
     Ok(transform)
 }
 
-fn unit_box() -> Result<AxisAlignedBox, ArgumentError> {
-    AxisAlignedBox::new(point([-0.5; 3]), point([0.5; 3]))
-}
-
 /// A ball of radius 1.
 fn ball(x: f64, z: f64) -> Result<Sphere, ArgumentError> {
     Sphere::new(Point3::new(x, 0.0, z), 1.0)
-}
-
-/// The rotations add up to a full turn, which returns the box to its position
-/// beside the axis.
-fn nested_rotations() -> Result<Node, Error> {
-    let beside = Transform::IDENTITY.translate(Point3::new(2.0, 0.0, 0.0))?;
-    let mut node = Node::new(beside).with(unit_box()?);
-    for _ in 0..100 {
-        let turn = Transform::IDENTITY.rotate_z(TAU / 100.0)?;
-        node = Node::new(turn).with(node);
-    }
-    Ok(node)
-}
-
-fn small_and_large() -> Result<Node, Error> {
-    let large = Transform::IDENTITY.scale(10.0, 10.0, 10.0)?;
-    let large = Node::new(large).with(ball(0.0, -1.0)?);
-    let both = Node::new(Transform::IDENTITY).with(large);
-    Ok(both.with(ball(0.0, 0.0)?))
-}
-
-/// Rays along the normal of a face that a quarter turn has made almost parallel to
-/// an axis: π/2 is not exact in 53 binary digits.
-fn rotated_box(rays: usize) -> Case {
-    let misses = tried(|| {
-        let node = Node::new(Transform::IDENTITY.rotate_z(FRAC_PI_2)?).with(unit_box()?);
-        let random = PixelRandom::new(16, 0, 0);
-        let position = |n: usize| 0.999 * (random.uniform(n as u64) - 0.5);
-        let mut misses = 0;
-        for i in 0..rays {
-            let origin = [position(2 * i), 4.5, position(2 * i + 1)];
-            let ray = line(origin, [0.0, -1.0, 0.0]).raw_ray();
-            let is_hit = first(&node, &ray).is_some_and(|t| (t - 4.0).abs() <= 8.0 * f64::EPSILON);
-            misses += usize::from(!is_hit);
-        }
-        Ok(misses)
-    });
-    Case {
-        id: "G16".into(),
-        what: format!("a box under rotate_z π/2, {rays} rays: not hit at 4"),
-        exact: Number(0.0),
-        ours: misses,
-        ..Case::default()
-    }
 }
 
 /// A node of two balls, whose nearest points have these distances.
@@ -191,7 +111,7 @@ fn brightness_under_scale() -> Case {
 fn normal_of_hit(row: &Question) -> Outcome {
     tried(|| {
         let node = Node::new(transform(row)?).with(sphere(row)?);
-        let (world, ray) = (world(node)?, rows::line_of(row).raw_ray());
+        let (world, ray) = (surface(node)?, rows::line_of(row).raw_ray());
         let hit = world.hit(&ray, Interval::AHEAD);
         Ok(hit.map(|(hit, ())| array(hit.normal)))
     })
@@ -221,7 +141,7 @@ fn normal_of_plane([x, y, z]: [f64; 3], row: &Question, theirs: Theirs) -> Case 
     }
 }
 
-fn normals() -> Vec<Case> {
+pub fn cases() -> Vec<Case> {
     const RIGHT: [f64; 3] = [1.0, 0.0, 0.0];
     let turned = Transform::IDENTITY.rotate_z(FRAC_PI_2);
     vec![

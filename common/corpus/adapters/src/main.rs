@@ -6,14 +6,13 @@ use std::fmt::Write;
 use std::path::Path;
 use std::{fs, io};
 
-use a04_lab::formula::sphere::{Shot, stable};
+use a04_lab::formula::sphere::Shot;
 use a04_lab::formula::triangle::{self, Meeting, fused, watertight};
 use a04_lab::line::{Line, line};
-use a04_lab::number::Real;
 use a04_lab::protocol::{self, Compared};
 use a04_lab::support::{point, vector};
 use a07_lab::asked::{self, engine_has, lesson_has};
-use corpus::{CASES, Found, Question, SINGLE_CASES, Shape};
+use corpus::{CASES, Found, Question, Shape};
 
 /// Something that can be asked.
 struct Adapter {
@@ -21,59 +20,44 @@ struct Adapter {
     name: &'static str,
     /// Its version and options, for the table.
     title: &'static str,
-    /// The cases that it is asked: those in doubles, or those in single precision.
-    cases: &'static str,
     /// What it finds; none if it has no such shape, or its documentation excludes the question.
     ask: fn(&Question) -> Option<Found>,
 }
 
-const ADAPTERS: [Adapter; 8] = [
+const ADAPTERS: [Adapter; 7] = [
     Adapter {
         name: "lesson",
         title: "the lesson",
-        cases: CASES,
         ask: lesson,
     },
     Adapter {
         name: "engine",
         title: "the engine, `--fast`",
-        cases: CASES,
         ask: engine,
     },
     Adapter {
         name: "protocol",
         title: "the course's protocol, as printed",
-        cases: CASES,
         ask: by_the_protocol,
-    },
-    Adapter {
-        name: "single-precision",
-        title: "the lesson's sphere and Möller-Trumbore in single precision",
-        cases: SINGLE_CASES,
-        ask: in_single_precision,
     },
     Adapter {
         name: "moeller-trumbore",
         title: "Möller-Trumbore in doubles",
-        cases: CASES,
         ask: moeller_trumbore,
     },
     Adapter {
         name: "woop-compensated",
         title: "Woop, Benthin and Wald in doubles, with Kahan's difference of products",
-        cases: CASES,
         ask: woop_compensated,
     },
     Adapter {
         name: "parry",
         title: "`parry3d-f64` 0.31.1, `cast_local_ray`, `solid = false`",
-        cases: CASES,
         ask: parry,
     },
     Adapter {
         name: "bvh",
         title: "`bvh` 0.13.0 in doubles, without SIMD",
-        cases: CASES,
         ask: bvh,
     },
 ];
@@ -81,10 +65,8 @@ const ADAPTERS: [Adapter; 8] = [
 fn main() -> io::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results");
     for adapter in ADAPTERS {
-        let is_single = adapter.cases == SINGLE_CASES;
-        let precision = if is_single { "single" } else { "double" };
-        let mut text = format!("# {}\n# {precision}\n", adapter.title);
-        for case in corpus::read(adapter.cases).map_err(io::Error::other)? {
+        let mut text = format!("# {}\n# double\n", adapter.title);
+        for case in corpus::read(CASES).map_err(io::Error::other)? {
             // A `String` takes all.
             let _ = match (adapter.ask)(&case.question) {
                 None => Ok(()),
@@ -138,29 +120,6 @@ fn by_the_protocol(question: &Question) -> Option<Found> {
         Shape::Tube { .. } => return None,
     };
     Some(within(question, found))
-}
-
-/// The lesson's formula of the sphere, and that of Möller and Trumbore.
-fn in_single_precision(question: &Question) -> Option<Found> {
-    // Exact: all numbers of these cases have single precision.
-    let line = line_of(question).to::<f32>();
-    match &question.shape {
-        // This formula looks from 0 on.
-        Shape::Sphere { center, radius }
-            if question.under.is_empty() && question.within[0] == 0.0 =>
-        {
-            let shot = Shot {
-                center: center.map(|x| x as f32),
-                radius: *radius as f32,
-                line,
-            };
-            Some(within(question, stable(&shot).map(f64::from)))
-        }
-        _ => of_triangles(question, |corners| {
-            let corners = corners.map(|corner| corner.map(|x| x as f32));
-            met(triangle::moeller_trumbore(&corners, &line))
-        }),
-    }
 }
 
 fn moeller_trumbore(question: &Question) -> Option<Found> {
@@ -265,9 +224,8 @@ fn of_triangles(
 }
 
 /// The `t` within a triangle. The numbers of a ray along the plane are infinite or no numbers.
-fn met<F: Real>(Meeting { t, beta, gamma }: Meeting<F>) -> Found {
-    let (t, beta, gamma): (f64, F, F) = (t.into(), beta, gamma);
-    let is_inside = beta >= F::of(0.0) && gamma >= F::of(0.0) && beta + gamma <= F::of(1.0);
+fn met(Meeting { t, beta, gamma }: Meeting<f64>) -> Found {
+    let is_inside = beta >= 0.0 && gamma >= 0.0 && beta + gamma <= 1.0;
     (is_inside && !t.is_nan()).then_some(t)
 }
 

@@ -145,7 +145,7 @@ fn render(scene: &Scene, side: u32, size: Size, threads: u16, file: &Path) -> Ou
         println!("build: {} seconds", started.elapsed().as_secs_f64());
 
         let started = Instant::now();
-        let image = renderer.render(&Grid { side, seed: None }, &settings, &())?;
+        let image = renderer.render(&Grid { side }, &settings, &())?;
         let rgb = image.to_rgb8(Transfer::Linear);
         println!("trace: {} seconds", started.elapsed().as_secs_f64());
         Ok::<_, common::Error>(rgb)

@@ -53,20 +53,15 @@ impl Numbers {
     }
 }
 
-/// Samples on a square grid in each pixel.
+/// Samples in the middles of the cells of a square grid in each pixel.
 pub struct Grid {
     /// The number of cells in each direction.
     pub side: u32,
-    /// With a seed, each sample lies anywhere in its cell, otherwise in the middle.
-    pub seed: Option<u64>,
 }
 
 impl Grid {
     /// One sample in the middle of the pixel.
-    pub const ONE: Self = Self {
-        side: 1,
-        seed: None,
-    };
+    pub const ONE: Self = Self { side: 1 };
 }
 
 impl Sampler for Grid {
@@ -74,18 +69,9 @@ impl Sampler for Grid {
         self.side * self.side
     }
 
-    fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
-        let (dx, dy) = match self.seed {
-            None if self.side == 1 => return (0.5, 0.5),
-            None => (0.5, 0.5),
-            Some(seed) => {
-                let random = PixelRandom::new(seed, column, row);
-                let first = 2 * u64::from(i);
-                (random.uniform(first), random.uniform(first + 1))
-            }
-        };
-        let in_cell = |cell: u32, d: f64| (f64::from(cell) + d) / f64::from(self.side);
-        (in_cell(i % self.side, dx), in_cell(i / self.side, dy))
+    fn place(&self, i: u32, _column: u32, _row: u32) -> (f64, f64) {
+        let middle = |cell: u32| (f64::from(cell) + 0.5) / f64::from(self.side);
+        (middle(i % self.side), middle(i / self.side))
     }
 }
 

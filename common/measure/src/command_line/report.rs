@@ -7,18 +7,16 @@ use program::{make_default_folder, make_folder, print, terminal_bar};
 
 use crate::experiment::Experiment;
 use crate::report::{self, Measured};
-use crate::{Effort, Laboratory, scene_report};
+use crate::{Laboratory, scene_report};
 
 /// Reports the named experiments, or the scenes that are named after the word
 /// `scene`.
 pub fn report(
     laboratory: &Laboratory,
     names: &[String],
-    quick: bool,
     output: Option<PathBuf>,
 ) -> Result<(), Error> {
     let stage = &laboratory.stage;
-    let effort = if quick { Effort::Quick } else { Effort::Full };
     match names.split_first() {
         Some((first, [])) if first == "scene" => {
             let names: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
@@ -34,19 +32,21 @@ pub fn report(
             for scene in &scenes {
                 experiments.push(scene_report::experiment(scene)?);
             }
-            measure(stage, experiments, effort, output)
+            measure(stage, experiments, output)
         }
         _ => {
             let experiments = chosen((laboratory.experiments)(), names)?;
-            measure(stage, experiments, effort, output)
+            measure(stage, experiments, output)
         }
     }
 }
 
+/// The rounds in which the methods of an experiment take turns.
+const ROUNDS: usize = 9;
+
 fn measure(
     stage: &Stage,
     experiments: Vec<Experiment>,
-    effort: Effort,
     output: Option<PathBuf>,
 ) -> Result<(), Error> {
     let folder = match output {
@@ -54,14 +54,10 @@ fn measure(
         None => make_default_folder()?.join("report"),
     };
     make_folder(&folder)?;
-    for experiment in &experiments {
-        report::check_writable(experiment, &folder, stage.name)?;
-    }
     let mut all: Vec<Measured> = Vec::new();
     for experiment in experiments {
         let (mut bar, name) = (None, experiment.name);
-        let rounds = effort.choose(9, 15);
-        let measured = Measured::new(experiment, effort, rounds, |done, all| {
+        let measured = Measured::new(experiment, ROUNDS, |done, all| {
             let bar = bar.get_or_insert_with(|| terminal_bar(name, all as u64));
             bar.set_position(done as u64);
         });
@@ -108,7 +104,7 @@ mod tests {
         ["one", "two"]
             .map(|name| Experiment {
                 name,
-                curves: Box::new(|_| vec![curve(&[(1.0, 1.0)])]),
+                curves: Box::new(|| vec![curve(&[(1.0, 1.0)])]),
                 ..experiment()
             })
             .into()
@@ -125,7 +121,7 @@ mod tests {
         let report = |names: &[&str]| {
             let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
             let output = folder.path().join("new/reports");
-            report(&laboratory, &names, true, Some(output.clone()))?;
+            report(&laboratory, &names, Some(output.clone()))?;
             let files = output.read_dir().unwrap();
             let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();
             files.sort();

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use super::Outcome;
-use crate::deviation::ulp;
 
 /// How far a computed outcome may be from the exact one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,6 +39,11 @@ impl fmt::Display for Bound {
             Self::Absolute(bound) => write!(f, "{bound:.1e}"),
         }
     }
+}
+
+/// The distance between a number and the next greater one.
+fn ulp(number: f64) -> f64 {
+    number.abs().next_up() - number.abs()
 }
 
 /// The error of an outcome, for a reader.
