@@ -16,8 +16,8 @@ pub fn dot(a: Vector3, b: Vector3) -> f64 {
     })
 }
 
-/// The cross product: perpendicular to both, by the right-hand rule. It is as long as
-/// the parallelogram of both is large.
+/// The cross product: perpendicular to both, by the right-hand rule. Its length is
+/// the area of the parallelogram that they span.
 pub fn cross(a: Vector3, b: Vector3) -> Vector3 {
     // 1. For each coordinate, take the two others of both vectors, in the cyclic order x, y, z, x.
     // 2. Multiply them crosswise, and subtract.

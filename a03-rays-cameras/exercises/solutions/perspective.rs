@@ -37,6 +37,8 @@ impl PerspectiveCamera {
 impl Camera for PerspectiveCamera {
     /// The ray through the position (`x`, `y`) of a picture of this size, with a
     /// direction of length 1. (0, 0) is the middle of the lower left pixel.
+    ///
+    /// `vector * number` scales a vector; `vector.normalized()` is `None` for the zero vector.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let [width, height] = [size.width(), size.height()].map(f64::from);
         // 1. Count the position in pixels from the middle of the picture.

@@ -7,7 +7,8 @@ use crate::prelude::*;
 ///
 /// `Sampler::new(settings)` has `samples()`, the number of samples of a pixel, and
 /// `places(column, row)`, their places in it. `camera_coordinates(size, column, row,
-/// place)` makes `(x, y)` for `camera.ray_for(size, x, y)` of this place.
+/// place)` makes `(x, y)` for `camera.ray_for(size, x, y)` of this place. A colour is scaled by
+/// `color * number`.
 pub fn picture(
     camera: &dyn Camera,
     radiance: &(dyn Fn(&Ray) -> Color + Sync),
