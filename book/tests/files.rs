@@ -96,20 +96,3 @@ pub fn complaint(path: &str, text: &str, at: usize, mistake: &str) -> String {
     let line = text[..at].matches('\n').count() + 1;
     format!("{path}:{line}: {mistake}")
 }
-
-/// The blocks of a page, each with its first byte: paragraphs, headings, tables and
-/// fenced code. Blank lines separate them, except those inside a fence.
-pub fn blocks(text: &str) -> Vec<(usize, &str)> {
-    let (mut blocks, mut start, mut at, mut is_fenced) = (Vec::new(), 0, 0, false);
-    for line in text.split_inclusive('\n') {
-        if line.trim().is_empty() && !is_fenced {
-            blocks.push((start, text[start..at].trim_end()));
-            start = at + line.len();
-        }
-        is_fenced ^= line.starts_with("```");
-        at += line.len();
-    }
-    blocks.push((start, text[start..].trim_end()));
-    blocks.retain(|(_, block)| !block.is_empty());
-    blocks
-}

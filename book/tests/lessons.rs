@@ -14,7 +14,7 @@ const FOREIGN: [&str; 6] = [
 ];
 
 /// Whether a file is a lesson of any stage, or its scenes: `src/*.rs` without the roots of its crates.
-pub fn is_lesson(path: &str) -> bool {
+fn is_lesson(path: &str) -> bool {
     path.split_once("/src/").is_some_and(|(stage, name)| {
         let is_root = ["lib.rs", "main.rs"].contains(&name);
         stage.starts_with("a0") && ![stage, name].concat().contains('/') && !is_root

@@ -1,5 +1,5 @@
 //! The book and the crates say the same, as far as neither mdBook nor the link checker of
-//! `cargo book` sees it; and the files of the lessons stay short.
+//! `cargo book` sees it.
 //!
 //! A check returns a complaint with file and line for each mistake.
 
@@ -7,10 +7,8 @@ mod files;
 mod forgotten;
 mod include;
 mod left_over;
-mod lesson_length;
 mod lessons;
 mod recorded;
-mod upwards;
 mod way_of_a_ray;
 mod who_passes;
 
@@ -35,11 +33,9 @@ checks! {
     every_page_picture_and_file_is_reached: left_over::complaints;
     every_listing_shows_something: include::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
-    crates_read_no_files_outside_of_them: upwards::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
     each_described_type_has_a_row: forgotten::types_without_a_row;
     each_file_of_tests_is_compiled: forgotten::tests_without_a_name;
-    lesson_files_are_short: lesson_length::complaints;
     each_anchor_has_a_figure: recorded::anchors;
     the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }

@@ -71,20 +71,3 @@ impl Omissions {
         Self(self.0 & !(1 << omission as u16))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn work_that_is_put_back_is_done() {
-        let mut left_out = Omissions::ALL;
-        for (i, put_back) in Omission::ALL.into_iter().enumerate() {
-            assert!(left_out.contains(put_back));
-            left_out = left_out.without(put_back);
-            for (j, other) in Omission::ALL.into_iter().enumerate() {
-                assert_eq!(left_out.contains(other), j > i);
-            }
-        }
-    }
-}

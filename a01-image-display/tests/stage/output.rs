@@ -62,17 +62,6 @@ fn pictures_go_to_a_folder_or_to_the_file_that_is_named() {
 }
 
 #[test]
-fn a_flag_that_changes_nothing_is_noted_and_changes_nothing() {
-    let notes = "note: --seed changes nothing in diagonal\n\
-                 note: --depth changes nothing in diagonal\n";
-    let noted = "render diagonal --depth 3 --seed 1";
-    let silent = "render diagonal --threads 1 --transfer srgb";
-    let [noted, silent] = [(noted, notes), (silent, "")]
-        .map(|(line, notes)| written(line, "out/diagonal.png 640x480", notes));
-    assert_eq!(noted, silent);
-}
-
-#[test]
 fn without_a_window_the_picture_lands_in_a_file() {
     let reason = match (ALWAYS_A_DISPLAY, cfg!(feature = "window")) {
         (true, _) => "",

@@ -1,9 +1,10 @@
-//! Contact: rays that start on a shape, and those that touch it at their origin alone.
+//! Contact: rays that start on a shape, and those that touch it at their origin alone. Planes are
+//! the extreme cases B03 to B06 and B20.
 //!
 //! All numbers are small multiples of powers of two, so that each formula is exact.
 
 use a02_math::Direction;
-use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
+use a04_intersections::{AxisAlignedBox, Geometry, Interval, Sphere, Triangle};
 
 use a04_lab::test_shapes::{point, ray, vector};
 
@@ -140,22 +141,6 @@ fn tangents_of_spheres_of_all_sizes_touch_at_their_origin_alone() {
 }
 
 #[test]
-fn rays_from_a_plane_and_within_it() {
-    let plane = Plane::new(point([0.0; 3]), vector(Y).as_normal()).unwrap();
-    let at = [3.0, 0.0, 4.0];
-    assert_contacts(
-        &plane,
-        &[
-            only_at_origin(at, DOWN, Y),
-            only_at_origin(at, [1.0, 1.0, 0.0], Y),
-            nowhere(at, X),
-            nowhere(at, [1.0, 0.0, -2.0]),
-            nowhere([3.0, 1.0, 4.0], X),
-        ],
-    );
-}
-
-#[test]
 fn rays_from_a_box_and_within_its_faces() {
     let cube = AxisAlignedBox::new(point([0.0; 3]), point([1.0; 3])).unwrap();
     let across = |o: [f64; 3], d, [before, ahead]: [f64; 2]| Contact {
@@ -197,27 +182,6 @@ fn rays_from_a_box_and_within_its_faces() {
         }
     }
     assert_contacts(&cube, &contacts);
-}
-
-#[test]
-fn rays_from_a_flat_box_and_within_it() {
-    let sheet = AxisAlignedBox::new(point([0.0, 1.0, 0.0]), point([2.0, 1.0, 2.0])).unwrap();
-    let behind = Contact {
-        o: [1.0, 3.0, 1.0],
-        d: Y,
-        ahead: None,
-        from_origin: None,
-        around: Some((-2.0, DOWN)),
-    };
-    let within = Contact {
-        o: [1.0; 3],
-        d: X,
-        ahead: Some((1.0, X)),
-        from_origin: Some((1.0, X)),
-        around: Some((-1.0, LEFT)),
-    };
-    let contacts = [only_at_origin([1.0; 3], Y, DOWN), behind, within];
-    assert_contacts(&sheet, &contacts);
 }
 
 #[test]

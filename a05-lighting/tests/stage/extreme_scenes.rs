@@ -1,9 +1,11 @@
 //! All renderers draw the same pictures of random scenes of extreme numbers, with materials and
 //! lights.
+//!
+//! `RANDOM_SCENES=6000 cargo test --release -p a05-lighting --test stage extreme` compares thousands, in minutes.
 
 use a03_rays_cameras::View;
 use a04_lab::random_scene::Place;
-use a04_lab::same_pictures::{compare_forty, compare_thousands};
+use a04_lab::same_pictures::compare_scenes;
 use a05_lighting::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
@@ -47,12 +49,5 @@ fn view(seed: u64, mut place: Place) -> Result<View, ArgumentError> {
 
 #[test]
 fn all_renderers_draw_the_same_pictures() {
-    compare_forty(0, view);
-}
-
-/// Takes minutes: `cargo test --release -p a05-lighting --test stage -- --ignored`.
-#[test]
-#[ignore = "takes minutes"]
-fn all_renderers_draw_the_same_five_thousand_pictures() {
-    compare_thousands(1_000..7_000, view);
+    compare_scenes(0..40, view);
 }

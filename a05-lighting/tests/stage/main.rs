@@ -4,6 +4,5 @@
 
 mod extreme_scenes;
 mod lights;
-mod lit_world;
 mod materials;
 mod refusals;

@@ -1,11 +1,13 @@
 //! All renderers draw the same pictures of random scenes of extreme numbers, after shadows and
 //! mirrors.
+//!
+//! `RANDOM_SCENES=6000 cargo test --release -p a06-shadows-reflection --test stage extreme` compares thousands, in minutes.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::{Ray, View};
 use a04_intersections::{Geometry, Hit, Interval, Sphere};
 use a04_lab::random_scene::Place;
-use a04_lab::same_pictures::{compare_forty, compare_thousands};
+use a04_lab::same_pictures::compare_scenes;
 use a05_lighting::{DirectionalLight, Illumination, Light};
 use a06_lab::random_scene::world;
 use a06_shadows_reflection::{LightSource, traced};
@@ -19,14 +21,7 @@ fn view(seed: u64, mut place: Place) -> Result<View, ArgumentError> {
 
 #[test]
 fn all_renderers_draw_the_same_pictures() {
-    compare_forty(0, view);
-}
-
-/// Takes minutes: `cargo test --release -p a06-shadows-reflection --test stage -- --ignored`.
-#[test]
-#[ignore = "takes minutes"]
-fn all_renderers_draw_the_same_five_thousand_pictures() {
-    compare_thousands(1_000..7_000, view);
+    compare_scenes(0..40, view);
 }
 
 /// A sphere whose hits have numbers that are NaN or infinite, such as a first try at a shape may find.
@@ -83,5 +78,5 @@ fn numbers_that_are_none_spoil_no_other_ray() {
         let world = world(&mut place, shapes)?.lit_by(light);
         Ok(traced(View::new(place.camera(seed)?, world)))
     };
-    compare_forty(0, view);
+    compare_scenes(0..40, view);
 }

@@ -3,8 +3,9 @@
 //! each processor has.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, View};
+use a03_rays_cameras::{Camera, PerspectiveCamera, Ray, View};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
+use a04_lab::support::Numbers;
 use a05_lighting::{
     DirectionalLight, Illumination, Lambert, Light, Lighting, Material, Phong, PointLight,
     SingleColor, SpotLight,
@@ -69,100 +70,80 @@ impl Surface for Translucent {
     }
 }
 
-/// Random numbers in a row.
-struct Numbers {
-    random: PixelRandom,
-    next: u64,
+/// From -2 to 2, in eighths.
+fn vector(numbers: &mut Numbers) -> Vector3 {
+    let [x, y, z] = [0; 3].map(|_| numbers.below(33) as f64 / 8.0 - 2.0);
+    Vector3::new(x, y, z)
 }
 
-impl Numbers {
-    /// From 0 to 1.
-    fn number(&mut self) -> f64 {
-        self.next += 1;
-        self.random.uniform(self.next)
-    }
+fn point(numbers: &mut Numbers) -> Point3 {
+    Point3::ORIGIN + vector(numbers)
+}
 
-    /// A number below `n`.
-    fn one_of(&mut self, n: u32) -> u32 {
-        (self.number() * f64::from(n)) as u32
-    }
+/// Black in one of four.
+fn color(numbers: &mut Numbers) -> Color {
+    let [r, g, b] = [0; 3].map(|_| numbers.between(0.0, 1.0));
+    Color::new(r, g, b) * f64::from(u8::from(numbers.below(4) > 0))
+}
 
-    /// From -2 to 2, in eighths.
-    fn vector(&mut self) -> Vector3 {
-        let [x, y, z] = [0; 3].map(|_| (33.0 * self.number()).floor() / 8.0 - 2.0);
-        Vector3::new(x, y, z)
-    }
+fn geometry(numbers: &mut Numbers) -> Result<Box<dyn Geometry>, ArgumentError> {
+    let [a, b, c] = [0; 3].map(|_| point(numbers));
+    Ok(match numbers.below(7) {
+        0 => Box::new(Plane::new(a, vector(numbers).as_normal())?),
+        1 => Box::new(Sphere::new(a, numbers.between(0.2, 1.2))?),
+        2 => Box::new(AxisAlignedBox::new(a, b)?),
+        3 => Box::new(Column(numbers.between(0.0, 1.0))),
+        4 => {
+            let normals = [0; 3].map(|_| vector(numbers).as_normal());
+            Box::new(Triangle::new(a, b, c)?.with_normals(normals)?)
+        }
+        _ => Box::new(Triangle::new(a, b, c)?),
+    })
+}
 
-    fn point(&mut self) -> Point3 {
-        Point3::ORIGIN + self.vector()
-    }
+fn surface(numbers: &mut Numbers) -> Result<Box<dyn Surface>, ArgumentError> {
+    let [diffuse, specular, reflection] = [0; 3].map(|_| color(numbers));
+    let exponent = [0.0, 1.0, 2.5, 3.0, 64.0, 1024.0][numbers.below(6)];
+    Ok(match numbers.below(6) {
+        0 => Box::new(SingleColor::new(diffuse)?),
+        1 => Box::new(Lambert::new(diffuse)?),
+        2 => Box::new(Phong::new(diffuse, specular, exponent)?),
+        3 => Box::new(Translucent(diffuse)),
+        _ => Box::new(Reflective::new(diffuse, specular, exponent, reflection)?),
+    })
+}
 
-    /// Black in one of four.
-    fn color(&mut self) -> Color {
-        let [r, g, b] = [0; 3].map(|_| self.number());
-        Color::new(r, g, b) * f64::from(self.one_of(4).min(1))
-    }
-
-    fn geometry(&mut self) -> Result<Box<dyn Geometry>, ArgumentError> {
-        let (a, b, c) = (self.point(), self.point(), self.point());
-        Ok(match self.one_of(7) {
-            0 => Box::new(Plane::new(a, self.vector().as_normal())?),
-            1 => Box::new(Sphere::new(a, 0.2 + self.number())?),
-            2 => Box::new(AxisAlignedBox::new(a, b)?),
-            3 => Box::new(Column(self.number())),
-            4 => {
-                let normals = [0; 3].map(|_| self.vector().as_normal());
-                Box::new(Triangle::new(a, b, c)?.with_normals(normals)?)
-            }
-            _ => Box::new(Triangle::new(a, b, c)?),
-        })
-    }
-
-    fn surface(&mut self) -> Result<Box<dyn Surface>, ArgumentError> {
-        let (diffuse, specular, reflection) = (self.color(), self.color(), self.color());
-        let exponent = [0.0, 1.0, 2.5, 3.0, 64.0, 1024.0][self.one_of(6) as usize];
-        Ok(match self.one_of(6) {
-            0 => Box::new(SingleColor::new(diffuse)?),
-            1 => Box::new(Lambert::new(diffuse)?),
-            2 => Box::new(Phong::new(diffuse, specular, exponent)?),
-            3 => Box::new(Translucent(diffuse)),
-            _ => Box::new(Reflective::new(diffuse, specular, exponent, reflection)?),
-        })
-    }
-
-    fn light(&mut self) -> Result<LightSource, ArgumentError> {
-        let (color, place, direction) = (self.color(), self.point(), self.vector());
-        let casts_shadows = self.one_of(4) > 0;
-        let point_light = PointLight::new(color, place)?;
-        Ok(match self.one_of(4) {
-            0 => LightSource::new(point_light, casts_shadows),
-            1 => LightSource::new(FadingLamp(point_light), casts_shadows),
-            2 => LightSource::new(DirectionalLight::new(color, direction)?, casts_shadows),
-            _ => LightSource::new(SpotLight::new(color, place, direction, 0.7)?, casts_shadows),
-        })
-    }
+fn light(numbers: &mut Numbers) -> Result<LightSource, ArgumentError> {
+    let (color, place, direction) = (color(numbers), point(numbers), vector(numbers));
+    let casts_shadows = numbers.below(4) > 0;
+    let point_light = PointLight::new(color, place)?;
+    Ok(match numbers.below(4) {
+        0 => LightSource::new(point_light, casts_shadows),
+        1 => LightSource::new(FadingLamp(point_light), casts_shadows),
+        2 => LightSource::new(DirectionalLight::new(color, direction)?, casts_shadows),
+        _ => LightSource::new(SpotLight::new(color, place, direction, 0.7)?, casts_shadows),
+    })
 }
 
 /// A triangle with the eye in its plane, and other objects.
 fn view(seed: u64) -> Result<View<ShadowedWorld>, ArgumentError> {
-    let random = PixelRandom::new(seed, 0, 0);
-    let mut numbers = Numbers { random, next: 0 };
-    let [a, b, c] = [0; 3].map(|_| numbers.point());
-    let mut world = ShadowedWorld::empty(numbers.color(), numbers.color())?
-        .with(Triangle::new(a, b, c)?, numbers.surface()?);
+    let numbers = &mut Numbers::new(seed, 0);
+    let [a, b, c] = [0; 3].map(|_| point(numbers));
+    let mut world = ShadowedWorld::empty(color(numbers), color(numbers))?
+        .with(Triangle::new(a, b, c)?, surface(numbers)?);
     // One of ten has enough objects for a tree of several levels.
     let objects = if seed.is_multiple_of(10) {
         100
     } else {
-        numbers.one_of(7)
+        numbers.below(7)
     };
     for _ in 0..objects {
-        if let Ok(geometry) = numbers.geometry() {
-            world = world.with(geometry, numbers.surface()?);
+        if let Ok(geometry) = geometry(numbers) {
+            world = world.with(geometry, surface(numbers)?);
         }
     }
-    for _ in 0..numbers.one_of(4) {
-        world = world.lit_by(numbers.light()?);
+    for _ in 0..numbers.below(4) {
+        world = world.lit_by(light(numbers)?);
     }
     let eye = a + (b - a) * 2.5 + (c - a) * 1.25;
     let middle = a + (b - a) * 0.25 + (c - a) * 0.5;
@@ -216,10 +197,9 @@ struct Scattered(u64);
 
 impl Camera for Scattered {
     fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
-        let random = PixelRandom::new(self.0, x as u32, y as u32);
-        let mut numbers = Numbers { random, next: 0 };
+        let numbers = &mut Numbers::new(self.0, 64 * y as usize + x as usize);
         loop {
-            if let Ok(ray) = Ray::new(numbers.point(), numbers.vector()) {
+            if let Ok(ray) = Ray::new(point(numbers), vector(numbers)) {
                 return ray;
             }
         }

@@ -1,9 +1,8 @@
 //! The largest depth between two perfect mirrors, where a ray hits as many surfaces as it may.
 
-use std::fs;
-
-use a07_transforms::stage;
 use common::{Color, Renderer, Settings, Size};
+
+use crate::scene_cases::open;
 
 /// Each surface adds 1/2^20 of ambient light, so that all sums are exact.
 const SCENE: &str = "[camera]\neye = [0, 0, 0]\ngaze = [0, 0, -1]\nangle = 40\n\
@@ -15,10 +14,7 @@ const DIM: f64 = 1.0 / (1 << 20) as f64;
 
 #[test]
 fn the_largest_depth_ends_and_every_surface_counts() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("mirrors.toml");
-    fs::write(&path, SCENE.replace("DIM", &format!("{DIM:?}"))).unwrap();
-    let scene = (stage().open.unwrap())(&path).unwrap();
+    let scene = open(&SCENE.replace("DIM", &format!("{DIM:?}"))).unwrap();
     let expected = Color::gray(f64::from(Settings::LARGEST_DEPTH) * DIM);
     for renderer in Renderer::ALL {
         let settings = Settings {
@@ -31,9 +27,12 @@ fn the_largest_depth_ends_and_every_surface_counts() {
         for pixel in image.pixels() {
             assert_eq!(*pixel, expected, "{renderer:?}");
         }
+        if renderer != Renderer::Lesson {
+            continue;
+        }
         let rays = scene.rays().unwrap();
         let trace = rays.trace(&settings, [1, 1]).unwrap();
-        assert_eq!(trace.color, expected, "{renderer:?}");
+        assert_eq!(trace.color, expected);
         assert!(rays.drawing(&settings, &trace, scene.name).is_ok());
         assert!(rays.seen_rays(&settings, &trace).is_ok());
     }

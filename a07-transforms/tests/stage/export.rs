@@ -1,23 +1,19 @@
 //! What the exported scenes say to other programs.
 
-use std::fs;
-
-use a07_transforms::stage;
 use common::Scene;
+
+use crate::scene_cases::open;
 
 /// A triangle with normals that are not perpendicular to it. The distances of the second and
 /// third one from the first are inserted.
 fn triangle(second: f64, third: f64) -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("scene.toml");
-    let text = format!(
+    open(&format!(
         "[camera]\neye = [0.3, 0.3, 3]\ngaze = [0, 0, -1]\nangle = 40\n[[directional_light]]\n\
          color = [1, 1, 1]\ndirection = [0, 0, -1]\n[[triangle]]\ncolor = [0.8, 0.8, 0.8]\n\
          corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n\
          normals = [[0.6, 0, 0.8], [0.6, {second:?}, 0.8], [0.6, {third:?}, 0.8]]\n"
-    );
-    fs::write(&path, text).unwrap();
-    (stage().open.unwrap())(&path).unwrap()
+    ))
+    .unwrap()
 }
 
 /// The three normals of the only triangle of an exported scene.

@@ -1,11 +1,13 @@
 //! All renderers draw the same pictures of random scenes of extreme numbers, with discs and nodes,
 //! after shadows and mirrors.
+//!
+//! `RANDOM_SCENES=6000 cargo test --release -p a07-transforms --test stage extreme` compares thousands, in minutes.
 
 use a02_math::Point3;
 use a03_rays_cameras::{Ray, View};
 use a04_intersections::{Geometry, Interval};
 use a04_lab::random_scene::Place;
-use a04_lab::same_pictures::{compare_forty, compare_thousands};
+use a04_lab::same_pictures::compare_scenes;
 use a05_lighting::PointLight;
 use a06_lab::random_scene::world;
 use a06_shadows_reflection::LightSource;
@@ -63,14 +65,7 @@ fn view(seed: u64, mut place: Place) -> Result<View, ArgumentError> {
 
 #[test]
 fn all_renderers_draw_the_same_pictures() {
-    compare_forty(0, view);
-}
-
-/// Takes minutes: `cargo test --release -p a07-transforms --test stage -- --ignored`.
-#[test]
-#[ignore = "takes minutes"]
-fn all_renderers_draw_the_same_five_thousand_pictures() {
-    compare_thousands(1_000..7_000, view);
+    compare_scenes(0..40, view);
 }
 
 /// Several shapes under one node, in one of six cases with a scale so unequal that the engine
@@ -130,12 +125,5 @@ fn view_of_groups(seed: u64, mut place: Place) -> Result<View, ArgumentError> {
 
 #[test]
 fn all_renderers_draw_the_same_shadows_of_groups() {
-    compare_forty(1_100, view_of_groups);
-}
-
-/// Takes minutes, too.
-#[test]
-#[ignore = "takes minutes"]
-fn all_renderers_draw_the_same_shadows_in_five_thousand_pictures() {
-    compare_thousands(1_000..8_000, view_of_groups);
+    compare_scenes(1_100..1_140, view_of_groups);
 }

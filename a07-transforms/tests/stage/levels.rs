@@ -1,9 +1,5 @@
 //! The engine draws all scenes of the course with the instructions that each processor has as with the
-//! best of this one: the locked pictures, and small ones of random and of adaptive samples. So it does the
-//! scene files of this stage, small.
-
-use std::fs;
-use std::path::Path;
+//! best of this one: the locked pictures, and small ones of random and of adaptive samples.
 
 use a07_transforms::stage;
 use common::{Renderer, Sampling, Scene, Settings, Size};
@@ -49,21 +45,6 @@ fn all_instruction_sets_draw_the_locked_pictures() {
         for scene in &stage.scenes {
             check(scene, &scene.defaults);
             check_small(scene);
-        }
-    }
-}
-
-#[test]
-fn all_instruction_sets_draw_the_same_pictures_of_scene_files() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
-    let open = stage().open.unwrap();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path
-            .extension()
-            .is_some_and(|extension| extension == "toml")
-        {
-            check_small(&open(&path).unwrap());
         }
     }
 }

@@ -15,7 +15,7 @@ use common::Settings;
 use common::sensitivity::Unit;
 use scene_file::{Error, Item, Key};
 
-use crate::scene_files::wrong_scenes;
+use crate::scene_cases::wrong_scenes;
 
 /// The part of the plane z = 0 between two points of a diagonal.
 #[derive(Debug)]

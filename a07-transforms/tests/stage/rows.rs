@@ -8,7 +8,7 @@ use a07_transforms::kinds::KINDS;
 use common::Color;
 use scene_file::{KINDS as TABLES, Key};
 
-use crate::scene_files::{open, picture};
+use crate::scene_cases::{open, picture};
 
 /// The names of tables that are listed in the file, and not once. A repeat is no shape: its copies
 /// are uses.

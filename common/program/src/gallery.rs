@@ -1,6 +1,7 @@
 //! `Gallery`: the scenes of a stage and of a scene file, of which a window shows one at a time.
 
 mod answers;
+mod camera;
 
 use std::mem;
 use std::path::PathBuf;
@@ -17,9 +18,6 @@ use crate::opened_file::OpenedFile;
 use crate::options::Options;
 use crate::print::warn;
 use crate::render::{print_notes, warn_unused};
-
-/// The angle by which the camera rotates for a pixel of the mouse's way, in radians.
-const ANGLE: f64 = 0.01;
 
 /// The scenes, the picture of the one that is shown, and what a person wants to know of it.
 pub struct Gallery<'a> {
@@ -267,31 +265,6 @@ impl<'a> Gallery<'a> {
             self.number = number + usize::from(self.file.is_some());
             self.reset();
         }
-    }
-
-    /// Returns the camera to its place in the scene, and renders the picture.
-    pub fn reset(&mut self) {
-        self.edits = Edits::default();
-        self.message.clear();
-        self.start_or_fail();
-    }
-
-    /// Rotates the camera around the middle of the scene, by a way of the mouse in pixels.
-    pub fn rotate(&mut self, [right, down]: [i32; 2]) {
-        self.edits.orbit[0] -= ANGLE * f64::from(right);
-        self.edits.orbit[1] -= ANGLE * f64::from(down);
-        self.move_camera();
-    }
-
-    /// Moves the camera towards the middle of the scene, by steps of a tenth of the distance.
-    pub fn approach(&mut self, steps: i32) {
-        self.edits.steps += steps;
-        self.move_camera();
-    }
-
-    fn move_camera(&mut self) {
-        self.message.clear();
-        self.has_moved = self.scene().is_some_and(|scene| scene.rays().is_ok());
     }
 }
 

@@ -1,15 +1,11 @@
 //! `Mesh`: the triangles of an OBJ or PLY file.
 
 mod obj;
-mod other_file;
-mod places;
 mod ply;
 mod ply_header;
 mod ply_numbers;
 mod polygon;
 mod polygons;
-mod sides;
-mod text;
 mod vertex_normals;
 
 use polygon::Triangulator;
@@ -40,8 +36,6 @@ pub struct Mesh {
 struct Counts {
     /// Faces of one or two corners, or of none, which are left out.
     too_small: usize,
-    /// Faces that cross themselves, and so have no inside that all programs agree on.
-    crossing: usize,
     /// Faces that name a normal that is missing or that is no direction.
     without_their_normal: usize,
     /// Triangles whose normals were to be computed.
@@ -56,9 +50,6 @@ impl Mesh {
     /// clause.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-        if let Some(kind) = other_file::by_first_bytes(bytes) {
-            return Err(is_other_file(kind));
-        }
         let is_ply = ply_header::is_ply(bytes);
         let read = if is_ply {
             ply::read(bytes)
@@ -66,37 +57,23 @@ impl Mesh {
             obj::read(bytes)
         };
         let format = if is_ply { "PLY" } else { "OBJ" };
-        let mesh = read.and_then(|polygons| {
-            let count = polygons.positions.len();
-            let mesh = Self::from_polygons(polygons)?;
-            Ok((mesh, count))
-        });
-        let (mesh, count) = match mesh {
-            Ok(read) => read,
-            Err(error) => {
-                let other = other_file::by_text(bytes).filter(|_| !is_ply);
-                return Err(other.map_or_else(
-                    || format!("a mistake in this {format}: {error}"),
-                    is_other_file,
-                ));
-            }
-        };
+        let in_format = |error| format!("a mistake in this {format}: {error}");
+        let polygons = read.map_err(in_format)?;
+        let count = polygons.positions.len();
+        let mesh = Self::from_polygons(polygons).map_err(in_format)?;
         if !mesh.triangles.is_empty() {
             return Ok(mesh);
         }
-        let too_small = mesh.counts.too_small;
-        Err(match (too_small, count, other_file::by_text(bytes)) {
-            (1.., ..) => "none of its faces has three corners".to_owned(),
-            (_, 0, Some(kind)) => is_other_file(kind),
-            (_, 0, None) => {
-                "it has no faces; a mesh is an OBJ file with lines such as f 1 2 3, or a \
-                             PLY file"
-                    .to_owned()
-            }
-            (_, count, _) => format!(
+        Err(if mesh.counts.too_small > 0 {
+            "none of its faces has three corners".to_owned()
+        } else if count == 0 {
+            "it has no faces; a mesh is an OBJ file with lines such as f 1 2 3, or a PLY file"
+                .to_owned()
+        } else {
+            format!(
                 "it has no faces, only {}, perhaps with lines between them; a mesh needs faces",
                 number_of(count, "point")
-            ),
+            )
         })
     }
 
@@ -114,7 +91,7 @@ impl Mesh {
         let mut triangulator = Triangulator::default();
         let mut first = 0;
         let mut face = Vec::new();
-        for Face { end, place } in &polygons.faces {
+        for Face { end, .. } in &polygons.faces {
             face.clear();
             let mut has_its_normals = true;
             for [corner, normal] in &polygons.corners[first..*end] {
@@ -132,12 +109,7 @@ impl Mesh {
             let points = face
                 .iter()
                 .map(|[corner, _]| polygons.positions[*corner as usize]);
-            let cut = triangulator.cut(points).map_err(|error| {
-                let face = polygons.name_of_face(*place);
-                format!("{face} {error}")
-            })?;
-            mesh.counts.crossing += usize::from(cut.crosses_itself);
-            for triangle in cut.triangles {
+            for triangle in triangulator.cut(points) {
                 mesh.triangles
                     .push(triangle.map(|index| face[index as usize]));
             }
@@ -178,7 +150,6 @@ impl Mesh {
     pub fn notes(&self) -> Vec<String> {
         let Counts {
             too_small,
-            crossing,
             without_their_normal,
             smoothed,
         } = self.counts;
@@ -188,12 +159,6 @@ impl Mesh {
             let are = if too_small == 1 { "is" } else { "are" };
             notes.push(format!(
                 "{faces} of fewer than three corners {are} left out"
-            ));
-        }
-        if crossing > 0 {
-            let faces = number_of(crossing, "face");
-            notes.push(format!(
-                "the border of {faces} crosses itself, so that its inside is a guess"
             ));
         }
         if without_their_normal > 0 {
@@ -217,22 +182,11 @@ impl Mesh {
         }
         if flat > 0 {
             notes.push(format!(
-                "flat in spite of smooth = true: {}, with no side in common with another to a \
-                 thousandth of its length, or too narrow, or with normals that cancel out",
+                "flat in spite of smooth = true: {}, with normals that cancel out",
                 number_of(flat, "triangle")
             ));
         }
         notes
-    }
-}
-
-/// The error for a file that is no mesh.
-fn is_other_file(kind: &str) -> String {
-    // Where a mesh of this kind can be exported, the error names our kinds already.
-    if kind.contains("OBJ") {
-        format!("it is {kind}")
-    } else {
-        format!("it is {kind}; a mesh is an OBJ or PLY file")
     }
 }
 

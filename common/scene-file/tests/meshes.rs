@@ -16,21 +16,15 @@ fn read(bytes: &[u8]) -> Mesh {
     Mesh::read(bytes).unwrap_or_else(|error| panic!("{error}:\n{text}"))
 }
 
-/// The sum of the triangles in the plane z = 0, where those that go round to the right count as
-/// negative.
-fn signed_area(mesh: &Mesh) -> f64 {
-    let mut sum = 0.0;
-    for ([a, b, c], _) in mesh.triangles() {
-        sum += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2.0;
-    }
-    sum
-}
-
 /// Asserts that a file is the square, flat, and returns its notes.
 fn assert_square(bytes: &[u8]) -> Vec<String> {
     let mesh = read(bytes);
     let text = String::from_utf8_lossy(bytes);
-    assert_eq!(signed_area(&mesh), 1.0, "{text}");
+    let mut area = 0.0;
+    for ([a, b, c], _) in mesh.triangles() {
+        area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2.0;
+    }
+    assert_eq!(area, 1.0, "{text}");
     let mut corners: Vec<_> = mesh.triangles().flat_map(|(corners, _)| corners).collect();
     corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
     corners.dedup();
@@ -54,15 +48,13 @@ fn check(cases: &str, change: impl Fn(&str) -> String) {
             assert_eq!(error, expected, "{file}");
             continue;
         }
-        for (from, to, count) in [
-            ("\n", "\n", 0),
-            ("\n", "\r\n", usize::MAX),
-            ("\n", "\r", usize::MAX),
-            ("\n", "\r", 3),
-            ("", "\u{FEFF}", 1),
+        for file in [
+            file.clone(),
+            file.replace('\n', "\r\n"),
+            format!("\u{FEFF}{file}"),
         ] {
             let mut found = "# square".to_owned();
-            for note in assert_square(file.replacen(from, to, count).as_bytes()) {
+            for note in assert_square(file.as_bytes()) {
                 found.push_str("\n# note: ");
                 found.push_str(&note);
             }
@@ -98,32 +90,6 @@ fn each_ply_is_the_square_or_gets_its_error() {
         }
         file
     });
-}
-
-#[test]
-fn a_concave_face_has_its_area() {
-    let t = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\nv 3 1 0\nv 3 0 0\n";
-    let mesh = read(format!("{t}f 1 2 3 4 5 6 7 8\n").as_bytes());
-    assert_eq!((signed_area(&mesh), mesh.triangles().count()), (-4.0, 6));
-    let mesh = read(format!("{t}f 8 7 6 5 4 3 2 1 8\n").as_bytes());
-    assert_eq!((signed_area(&mesh), mesh.triangles().count()), (4.0, 6));
-}
-
-#[test]
-fn the_first_byte_of_a_number_in_ply_may_look_like_the_end_of_a_line() {
-    let (header, _) = PLY.split_once("0 0 0").unwrap();
-    let header = header.replace("ascii", "binary_little_endian");
-    for line_end in ["\n", "\r", "\r\n"] {
-        let mut file = header.replace('\n', line_end).into_bytes();
-        let small = f32::from_le_bytes([10, 0, 0, 0]);
-        for coordinate in [small, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0] {
-            file.extend(coordinate.to_le_bytes());
-        }
-        file.push(4);
-        (0..4_i32).for_each(|i| file.extend(i.to_le_bytes()));
-        let x = read(&file).triangles().next().unwrap().0[0][0];
-        assert_eq!(x, f64::from(small), "{line_end:?}");
-    }
 }
 
 #[test]
@@ -191,7 +157,7 @@ fn normals_of_ply_are_those_of_the_vertices() {
     let normals = "property float nx\nproperty float ny\nproperty float nz\nelement face 1";
     let file = PLY.replace("element face 1", normals);
     let (header, _) = file.split_once("0 0 0").unwrap();
-    let vertices = "0 0 0 0 0 1  1 0 0 0 0 2  1 1 0 0 0 3  0 1 0 0 0 -nan(ind) ";
+    let vertices = "0 0 0 0 0 1  1 0 0 0 0 2  1 1 0 0 0 3  0 1 0 0 0 nan ";
     let (format, elements) = header.split_at("ply\nformat ascii 1.0\n".len());
     let (of_vertices, of_faces) = elements.split_at(elements.find("element face").unwrap());
     let of_faces = of_faces.replace("end_header\n", "");
@@ -207,30 +173,11 @@ fn normals_of_ply_are_those_of_the_vertices() {
     }
 }
 
-#[test]
-fn other_files_are_called_by_their_kind() {
-    let mut stl = vec![b' '; 80];
-    stl.extend(1_u32.to_le_bytes());
-    stl.extend([0; 50]);
-    for (file, expected) in [
-        (
-            &b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"[..],
-            "an STL file",
-        ),
-        (&stl, "an STL file"),
-        (b"\x1F\x8B\x08\x00", "packed"),
-        (b"PK\x03\x04rest", "packed"),
-        (b"\xFF\xFEv\0", "text in UTF-16"),
-        (b"[camera]\neye = [0, 0, 1]\n", "a TOML file"),
-        (b"glTF\x02\0\0\0", "a glTF file"),
-        (b"{ \"asset\": { \"version\": \"2.0\" } }", "a glTF file"),
-        (b"newmtl gold\nKd 1 1 0\n", "a file of materials"),
-        (b"", "empty"),
-    ] {
-        let error = Mesh::read(file).err().unwrap();
-        assert!(error.starts_with(&format!("it is {expected}")), "{error}");
-        assert_eq!(error.matches("OBJ").count(), 1, "{error}");
-    }
+/// The mesh of an OBJ file with computed normals.
+fn smooth(file: &str) -> Mesh {
+    let mut mesh = read(file.as_bytes());
+    mesh.set_smooth(true);
+    mesh
 }
 
 /// At the corner (0, 0, 0) a right angle of the plane z = 0, divided into two faces, meets right
@@ -239,44 +186,43 @@ fn other_files_are_called_by_their_kind() {
 fn smooth_computes_the_normals_that_a_file_lacks() {
     let corner = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n\
                   f 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n";
-    let mut mesh = read(corner.as_bytes());
-    mesh.set_smooth(true);
-    for (corners, normals) in mesh.triangles() {
-        let normals = normals.unwrap();
-        let at = corners
-            .iter()
-            .position(|corner| *corner == [0.0; 3])
-            .unwrap();
-        let length = normals[at].iter().map(|x| x * x).sum::<f64>().sqrt();
-        for x in normals[at] {
-            assert!(
-                (x / length - 1.0 / 3_f64.sqrt()).abs() < 1e-15,
-                "{normals:?}"
-            );
+    // The same with corners of their own, which rounding keeps apart.
+    let apart = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1e-12 0 -0\nv 1 1 0\nv 0 1 0\nv 0 0 1e-12\nv 0 1 0\n\
+                 v 0 0 1\nv 0 -1e-12 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n";
+    for file in [corner, apart] {
+        let mut mesh = smooth(file);
+        for ([at, ..], normals) in mesh.triangles() {
+            assert!(at.iter().all(|x| x.abs() < 1e-9));
+            let [normal, ..] = normals.unwrap();
+            let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+            for x in normal {
+                assert!(
+                    (x / length - 1.0 / 3_f64.sqrt()).abs() < 1e-11,
+                    "{normal:?}"
+                );
+            }
         }
+        let note =
+            "smooth, with computed normals for 4 of 4 triangles, for which the file has none";
+        assert_eq!(mesh.notes(), [note]);
+        mesh.set_smooth(false);
+        assert!(mesh.triangles().all(|(_, normals)| normals.is_none()));
     }
-    let note = "smooth, with computed normals for 4 of 4 triangles, for which the file has none";
-    assert_eq!(mesh.notes(), [note]);
-    mesh.set_smooth(false);
+}
+
+/// A face and its back have no normal at their corners.
+#[test]
+fn normals_of_a_file_stay_and_those_that_cancel_out_are_none() {
+    let mesh = smooth(&[SQUARE, "vn 1 0 0\nf 1//1 2//1 3//1\nf 1//1 3 4//7"].concat());
+    let normals: Vec<_> = mesh.triangles().map(|(_, normals)| normals).collect();
+    assert_eq!(normals[0], Some([[1.0, 0.0, 0.0]; 3]));
+    let [first, second, third] = normals[1].unwrap();
+    assert_eq!(first, [1.0, 0.0, 0.0]);
+    for computed in [second, third] {
+        assert!(computed[0] == 0.0 && computed[1] == 0.0 && computed[2] > 0.0);
+    }
+    let mesh = smooth(&[SQUARE, "f 1 2 3\nf 1 3 2\n"].concat());
     assert!(mesh.triangles().all(|(_, normals)| normals.is_none()));
-    // Normals of the file stay.
-    let file = [SQUARE, "vn 1 0 0\nf 1//1 2//1 3//1\nf 1//1 3 4//7"].concat();
-    let mut mesh = read(file.as_bytes());
-    mesh.set_smooth(true);
-    let normals: Vec<_> = mesh
-        .triangles()
-        .map(|(_, normals)| normals.unwrap())
-        .collect();
-    assert_eq!(normals[0], [[1.0, 0.0, 0.0]; 3]);
-    assert_eq!(normals[1][0], [1.0, 0.0, 0.0]);
-    assert!(normals[1][1][0] == 0.0 && normals[1][1][2] > 0.0 && normals[1][2][2] > 0.0);
-    // Triangles with corners of their own are smooth, too.
-    let soup = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 4 5 6\n";
-    let mut mesh = read(soup.as_bytes());
-    mesh.set_smooth(true);
-    let normals: Vec<_> = mesh
-        .triangles()
-        .map(|(_, normals)| normals.unwrap()[0])
-        .collect();
-    assert_eq!(normals[0], normals[1]);
+    let note = "flat in spite of smooth = true: 2 triangles, with normals that cancel out";
+    assert_eq!(mesh.notes(), [note]);
 }

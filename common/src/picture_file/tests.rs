@@ -123,15 +123,6 @@ fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
     let mut flipped = whole.clone();
     let data = whole.windows(4).position(|name| name == b"IDAT").unwrap();
     flipped[data + 12] ^= 1;
-    let mut bmp_of_inks = bmp(1, 1);
-    bmp_of_inks[30] = 11;
-    let mut jpeg_of_12_bits = GRADIENTS[1].to_vec();
-    // The marker of a frame, its length, and the bits: those of the extended process may be 12.
-    let frame = [0xFF, 0xC0, 0, 17];
-    let frame = GRADIENTS[1].windows(4).position(|bytes| bytes == frame);
-    let frame = frame.unwrap();
-    jpeg_of_12_bits[frame + 1] = 0xC1;
-    jpeg_of_12_bits[frame + 4] = 12;
     for (bytes, reason) in [
         (&b"\x01\x02"[..], "it is no PNG, JPEG or BMP picture"),
         (b"", "it is no PNG, JPEG or BMP picture"),
@@ -149,8 +140,6 @@ fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
         ),
         (&bmp(30_000, 30_000), "size is 30000x30000, but must be"),
         (&bmp(8192, -8192), "the file ends too early"),
-        (&bmp_of_inks, "it is of a kind that is not supported ("),
-        (&jpeg_of_12_bits, "it is of a kind that is not supported ("),
         (
             include_bytes!("tests/arithmetic.jpg"),
             "it is of a kind that is not supported (unsupported JPEG feature: \

@@ -140,24 +140,22 @@ fn read_again(stage: &Stage, scene: &Scene) -> Option<Scene> {
 }
 
 /// Renders a scene with all renderers and compares the pictures with its lock: all with the
-/// expected PNG, and the lesson's with the snapshot of its hash, too. The same holds for the scene
-/// that is written as a scene file and read again, if the stage reads scene files.
+/// expected PNG, and the lesson's with the snapshot of its hash, too. The engine draws the same from the
+/// scene file that the scene's export makes, if the stage reads scene files.
 pub fn check(stage: &Stage, test: &str, places: &TestPaths) {
     let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
     let expected = places.expected(&picture_name(stage, &scene));
-    let read = read_again(stage, &scene).map(|read| (read, " from its file"));
-    let scenes: Vec<_> = [(scene, "")].into_iter().chain(read).collect();
-    for ((scene, from), (renderer, differs)) in scenes
-        .iter()
-        .flat_map(|scene| RENDERERS.map(|renderer| (scene, renderer)))
-    {
+    let pictures = RENDERERS.map(|(renderer, differs)| (scene.clone(), renderer, differs));
+    let again = read_again(stage, &scene);
+    let again = again.map(|scene| (scene, Renderer::Engine, "from its file is another one"));
+    for (scene, renderer, differs) in pictures.iter().chain(&again) {
         let settings = Settings {
-            renderer,
+            renderer: *renderer,
             ..scene.defaults.clone()
         };
         let image = render(scene, &settings);
-        let differs = format!("the picture of {}{from} {differs}", scene.name);
-        if renderer == Renderer::Lesson {
+        let differs = format!("the picture of {} {differs}", scene.name);
+        if *renderer == Renderer::Lesson {
             check_lesson(scene, &image, &expected, places, &differs);
         } else if let Err(difference) = compare_with_file(&expected, &image) {
             let difference = format!("{differs}: {difference}");

@@ -53,23 +53,3 @@ impl ShapeKind for Mesh {
         self.0.objects.len() as u64
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use a02_math::{Point3, Vector3};
-
-    use super::*;
-
-    #[test]
-    fn a_triangle_whose_hit_does_not_count_hides_no_other_one() {
-        let mut triangles = World::new(Color::BLACK).unwrap();
-        for z in [-1.0, -2.0] {
-            let corners = [[-1.0, -1.0, z], [1.0, -1.0, z], [0.0, 1.0, z]];
-            triangles = triangles.with(triangle(corners, None).unwrap(), ());
-        }
-        let mesh = Mesh(triangles);
-        let ray = Ray::new(Point3::ORIGIN, Vector3::new(0.0, 0.0, -1.0)).unwrap();
-        let hits_beyond = |t| mesh.any_hit(&ray, Interval::AHEAD, &|hit| hit.t > t);
-        assert!(hits_beyond(0.0) && hits_beyond(1.5) && !hits_beyond(2.5));
-    }
-}

@@ -225,23 +225,6 @@ fn spheres_of_all_sizes() {
     assert!(hits(&spheres, &rays.collect::<Vec<_>>()) > 400);
 }
 
-/// The upper faces of both boxes lie in one plane. The larger one comes nearer to the
-/// eye and is tested first, wherever it stands in the list.
-#[test]
-fn two_boxes_at_the_same_place() {
-    let [small, large] = [1.0, 2.0].map(|half| {
-        let low = Point3::new(-half, -half, -1.0);
-        AxisAlignedBox::new(low, Point3::new(half, half, 0.0)).unwrap()
-    });
-    let eye = Point3::new(5.0, 0.5, 3.0);
-    let numbers = &mut Numbers::new(13, 0);
-    let mut number = || numbers.between(-1.0, 1.0);
-    let rays = many(400, || towards(eye, Point3::new(number(), number(), 0.0)));
-    for boxes in [[small, large], [large, small]] {
-        assert_eq!(hits(&boxes, &rays), 400);
-    }
-}
-
 /// Rounding alone decides whether and where these rays hit, also outside of the bounds of
 /// a triangle. With more than sixteen triangles the engine builds a tree.
 #[test]

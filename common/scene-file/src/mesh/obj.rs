@@ -7,13 +7,12 @@ use common::text::name;
 
 use super::NONE;
 use super::polygons::Polygons;
-use super::text::{lines, number, without_comment};
 
 /// The corners, normals and faces. The error is a clause.
 pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
     let text = String::from_utf8_lossy(bytes);
     let mut polygons = Polygons::default();
-    let mut lines = (1..).zip(lines(&text));
+    let mut lines = (1..).zip(text.lines());
     while let Some((place, line)) = lines.next() {
         let mut words = line.trim_ascii_start();
         if !words.starts_with(['v', 'f']) {
@@ -44,10 +43,8 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
         }
         add(&statement, place, &mut polygons).map_err(|mistake| match mistake {
             Mistake::Form(right) => format!("line {place} is \"{}\", but {right}", name(line)),
-            Mistake::Corner(number) => {
-                let count = polygons.positions.len();
-                polygons.missing_corner(place, &number, count)
-            }
+            Mistake::Position(wrong) => format!("line {place} {wrong}"),
+            Mistake::Corner(number) => polygons.missing_corner(place, &number),
         })?;
     }
     Ok(polygons)
@@ -57,6 +54,8 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
 enum Mistake {
     /// Its form; this is the right one.
     Form(&'static str),
+    /// A point that is none: the end of a sentence about it.
+    Position(String),
     /// The number of a corner before the first.
     Corner(String),
 }
@@ -70,7 +69,7 @@ fn add(statement: &str, place: usize, polygons: &mut Polygons) -> Result<(), Mis
     match words.next() {
         Some("v") => {
             let corner = vector(words).ok_or(CORNER)?;
-            polygons.add_position(corner, place);
+            polygons.add_position(corner).map_err(Mistake::Position)?;
         }
         // A normal that cannot be read is as good as none.
         Some("vn") => polygons
@@ -91,7 +90,7 @@ fn add(statement: &str, place: usize, polygons: &mut Polygons) -> Result<(), Mis
 fn vector<'a>(mut words: impl Iterator<Item = &'a str>) -> Option<[f64; 3]> {
     let mut numbers = [0.0; 3];
     for coordinate in &mut numbers {
-        *coordinate = number(words.next()?)?;
+        *coordinate = words.next()?.parse().ok()?;
     }
     Some(numbers)
 }
@@ -123,4 +122,9 @@ fn index(number: i64, lines: usize) -> Option<u32> {
         number - 1
     };
     index.try_into().ok().filter(|index| *index < NONE - 1)
+}
+
+/// The line before its comment, which begins with `#`.
+fn without_comment(line: &str) -> &str {
+    line.split('#').next().unwrap_or_default()
 }

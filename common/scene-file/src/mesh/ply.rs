@@ -1,5 +1,5 @@
-//! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): vertices with their normals, faces,
-//! and strips of triangles.
+//! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): vertices with their normals, and
+//! faces.
 
 use common::text::number;
 
@@ -16,7 +16,7 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
     let (Header { encoding, elements }, rest) = ply_header::read(bytes)?;
     let mut numbers = Numbers { encoding, rest };
     let mut reader = Reader::default();
-    reader.polygons.format = Format::Ply { element: "face" };
+    reader.polygons.format = Format::Ply;
     // Faces may stand before the vertices, whose normals have the indices of their corners.
     reader.has_normals = elements.iter().any(|element| {
         let mut properties = element.properties.iter();
@@ -46,6 +46,7 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
                         "{name} {i} has the vertex {}, but vertices are numbered from 0",
                         number(index)
                     ),
+                    Mistake::Position(wrong) => format!("{name} {i} {wrong}"),
                 }
             })?;
         }
@@ -61,6 +62,8 @@ enum Mistake {
     Length(f64),
     /// An index that is none.
     Vertex(f64),
+    /// A point that is none: the end of a sentence about it.
+    Position(String),
 }
 
 /// Checks that the things of an element have the properties that are needed.
@@ -125,17 +128,14 @@ impl Reader {
                 let number = numbers.next(property.kind).map_err(Mistake::Number)?;
                 self.list.push(number);
             }
-            if property.is_corners() {
-                match element.name.as_str() {
-                    "face" => self.add_face(place)?,
-                    "tristrips" => self.add_strips(place)?,
-                    _ => (),
-                }
+            if element.name == "face" && property.is_corners() {
+                self.add_face(place)?;
             }
         }
         if element.name == "vertex" {
             let [x, y, z, normal @ ..] = vertex;
-            self.polygons.add_position([x, y, z], 0);
+            let added = self.polygons.add_position([x, y, z]);
+            added.map_err(Mistake::Position)?;
             if self.has_normals {
                 self.polygons.normals.push(normal);
             }
@@ -150,30 +150,6 @@ impl Reader {
             self.polygons.corners.push(corner);
         }
         self.polygons.end_face(place);
-        Ok(())
-    }
-
-    /// Adds strips of triangles, between which the list has -1. In a strip each three neighbours
-    /// are a triangle; every second one goes round the other way.
-    fn add_strips(&mut self, place: usize) -> Result<(), Mistake> {
-        self.polygons.format = Format::Ply {
-            element: "tristrips",
-        };
-        // An unsigned type has no -1.
-        let is_separator = |index: &f64| *index == -1.0 || *index == f64::from(u32::MAX);
-        for strip in self.list.split(is_separator) {
-            for (i, triangle) in strip.windows(3).enumerate() {
-                let order = if i % 2 == 0 { [0, 1, 2] } else { [1, 0, 2] };
-                for index in order.map(|k| triangle[k]) {
-                    let corner = corner(index, self.has_normals)?;
-                    self.polygons.corners.push(corner);
-                }
-                self.polygons.end_face(place);
-            }
-            if let 1 | 2 = strip.len() {
-                self.polygons.end_face(place);
-            }
-        }
         Ok(())
     }
 }

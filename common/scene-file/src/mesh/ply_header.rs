@@ -86,16 +86,11 @@ pub fn is_ply(bytes: &[u8]) -> bool {
 pub fn read(bytes: &[u8]) -> Result<(Header, &[u8]), String> {
     let mut header = Header::default();
     let mut rest = bytes;
-    // Where all lines end with CR, the first number may be a byte that looks like LF.
-    let mut is_cr_only = true;
     loop {
-        let end = rest.iter().position(|byte| matches!(byte, b'\r' | b'\n'));
+        let end = rest.iter().position(|byte| *byte == b'\n');
         let (line, below) = rest.split_at(end.ok_or("it has no line end_header")?);
-        let is_end = line.trim_ascii() == b"end_header";
-        let is_cr_lf = below.starts_with(b"\r\n") && !(is_end && is_cr_only);
-        is_cr_only &= below.starts_with(b"\r") && !is_cr_lf;
-        rest = &below[if is_cr_lf { 2 } else { 1 }..];
-        if is_end {
+        rest = &below[1..];
+        if line.trim_ascii() == b"end_header" {
             return Ok((header, rest));
         }
         header.add(line)?;

@@ -3,7 +3,6 @@
 use common::text;
 
 use super::ply_header::{Encoding, Type};
-use super::text::number;
 
 /// The numbers that are not yet read.
 #[derive(Debug)]
@@ -50,8 +49,8 @@ impl Numbers<'_> {
         if word.is_empty() {
             return Err(NoNumber::End);
         }
-        let read = str::from_utf8(word).ok().and_then(number);
-        read.ok_or_else(|| NoNumber::Word(text::name(&String::from_utf8_lossy(word))))
+        let word = String::from_utf8_lossy(word);
+        word.parse().map_err(|_| NoNumber::Word(text::name(&word)))
     }
 
     /// The bytes of the next number, the least significant one first.

@@ -19,8 +19,6 @@ pub struct Polygons {
     pub faces: Vec<Face>,
     /// The number of faces of fewer corners.
     pub too_small: usize,
-    /// Points that are no points, by their index, and where they are: a line.
-    pub wrong_positions: Vec<(usize, usize)>,
 }
 
 /// A face, whose corners begin where those of the face before it end.
@@ -38,11 +36,8 @@ pub enum Format {
     /// Wavefront OBJ: corners are numbered from 1.
     #[default]
     Obj,
-    /// PLY: vertices are numbered from 0. This element has the faces.
-    Ply {
-        /// `face` or `tristrips`.
-        element: &'static str,
-    },
+    /// PLY: vertices are numbered from 0.
+    Ply,
 }
 
 impl Polygons {
@@ -58,78 +53,48 @@ impl Polygons {
         }
     }
 
-    /// Adds a point, which is at this line of an OBJ file.
-    pub fn add_position(&mut self, position: [f64; 3], line: usize) {
-        if !position.into_iter().all(is_coordinate) {
-            self.wrong_positions.push((self.positions.len(), line));
+    /// Adds a point. The error is the end of a sentence about it.
+    pub fn add_position(&mut self, position: [f64; 3]) -> Result<(), String> {
+        for (axis, x) in ["x", "y", "z"].into_iter().zip(position) {
+            let is_coordinate = x.abs() <= LARGEST_LENGTH;
+            if !is_coordinate {
+                let x = text::number(x);
+                return Err(format!(
+                    "has the {axis} {x}, but a coordinate is from -1e100 to 1e100"
+                ));
+            }
         }
         self.positions.push(position);
+        Ok(())
     }
 
     /// Checks that each corner of a face is a point. The error is a clause.
     pub fn check_corners(&self) -> Result<(), String> {
-        let count = self.positions.len();
-        let mut faces = self.faces.iter();
-        let mut face = faces.next();
-        for (i, [corner, _]) in self.corners.iter().enumerate() {
-            while let Some(Face { end, .. }) = face
-                && *end <= i
-            {
-                face = faces.next();
+        let mut first = 0;
+        for Face { end, place } in &self.faces {
+            for [corner, _] in &self.corners[first..*end] {
+                let index = *corner as usize;
+                if index >= self.positions.len() {
+                    let corner = match self.format {
+                        Format::Obj => index + 1,
+                        Format::Ply => index,
+                    };
+                    return Err(self.missing_corner(*place, &corner.to_string()));
+                }
             }
-            let place = face.map_or(0, |face| face.place);
-            let index = *corner as usize;
-            let Some(position) = self.positions.get(index) else {
-                return Err(self.missing_corner(place, &self.name_of_corner(index), count));
-            };
-            if let Some(wrong) = position.iter().position(|x| !is_coordinate(*x)) {
-                return Err(self.wrong_position(index, wrong, position[wrong]));
-            }
+            first = *end;
         }
         Ok(())
     }
 
     /// The error of a face with a corner that is not in the file.
-    pub fn missing_corner(&self, place: usize, corner: &str, count: usize) -> String {
-        let face = self.name_of_face(place);
+    pub fn missing_corner(&self, place: usize, corner: &str) -> String {
+        let count = self.positions.len();
         match self.format {
-            Format::Obj => format!("{face} has the corner {corner} of {count}, from 1"),
-            Format::Ply { .. } => format!("{face} has the vertex {corner} of {count}, from 0"),
+            Format::Obj => {
+                format!("the face in line {place} has the corner {corner} of {count}, from 1")
+            }
+            Format::Ply => format!("face {place} has the vertex {corner} of {count}, from 0"),
         }
     }
-
-    /// The error of a point whose coordinate of this number is no coordinate.
-    fn wrong_position(&self, index: usize, axis: usize, value: f64) -> String {
-        let axis = ["x", "y", "z"][axis];
-        let found = self
-            .wrong_positions
-            .iter()
-            .find(|(wrong, _)| *wrong == index);
-        let place = match (self.format, found) {
-            (Format::Obj, Some((_, line))) => format!("line {line}"),
-            (Format::Obj, None) => format!("corner {}", index + 1),
-            (Format::Ply { .. }, _) => format!("vertex {index}"),
-        };
-        let value = text::number(value);
-        format!("{place} has the {axis} {value}, but a coordinate is from -1e100 to 1e100")
-    }
-
-    /// A face in words, by its line or its number.
-    pub fn name_of_face(&self, place: usize) -> String {
-        match self.format {
-            Format::Obj => format!("the face in line {place}"),
-            Format::Ply { element } => format!("{element} {place}"),
-        }
-    }
-
-    fn name_of_corner(&self, index: usize) -> String {
-        match self.format {
-            Format::Obj => (index + 1).to_string(),
-            Format::Ply { .. } => index.to_string(),
-        }
-    }
-}
-
-fn is_coordinate(x: f64) -> bool {
-    x.abs() <= LARGEST_LENGTH
 }

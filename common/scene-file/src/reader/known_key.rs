@@ -7,7 +7,7 @@ use toml::de::DeString;
 use super::{Reader, error};
 use crate::error::nearest;
 use crate::kind::has_shapes;
-use crate::synonyms::{form_of, known_for};
+use crate::synonyms::known_for;
 use crate::{Error, Item, KINDS, Key, Kind};
 
 impl Reader<'_> {
@@ -43,15 +43,11 @@ impl Reader<'_> {
     /// as the end of an error.
     fn right_name(&self, item: &Item, name: &str) -> String {
         let mut names = self.names(item.kind);
-        let has_shapes = has_shapes(item.kind);
-        if has_shapes {
+        if has_shapes(item.kind) {
             names.extend(self.own.iter().map(|own| own.key.name));
         }
         if known_for(&names, name).is_some() {
             return nearest(&names, name);
-        }
-        if let Some(form) = form_of(name).filter(|_| has_shapes) {
-            return format!("; {form} can have this form");
         }
         if names.contains(&"transform")
             && let Some(step) = KINDS.iter().find(|kind| kind.name == "step")

@@ -46,7 +46,7 @@ pub fn check_threads(stage: &Stage) {
                 (image.expect("the scene renders"), sampled)
             };
             let one = with(1);
-            for threads in 2..=8 {
+            for threads in [2, 3, 8] {
                 let is_same = one == with(threads);
                 assert!(is_same, "{} differs with {threads} threads", scene.name);
             }

@@ -1,12 +1,14 @@
-//! Steps that a transform refuses. Each step, and the inverse of a chain, are held by the
-//! extreme cases G01 to G32 and the exercises `chain` and `under_transform`.
+//! Arguments that transforms and discs refuse. Each step, the inverse of a chain, and the rim of a disc
+//! are held by the extreme cases B12 to B22 and G01 to G32 and by exercises.
 
-use a07_transforms::Transform;
+use a02_math::{Normal3, Point3};
+use a07_transforms::{Disc, Transform};
 use testing::assert_refused;
 
 use a04_lab::test_shapes::point;
 
 const START: Transform = Transform::IDENTITY;
+const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 
 #[test]
 fn bad_steps_are_refused_by_name() {
@@ -34,5 +36,21 @@ fn bad_steps_are_refused_by_name() {
         let once = START.scale(factor, factor, factor).unwrap();
         let twice = once.scale(factor, factor, factor);
         assert_refused(twice, "transform is too large", "no number above 1e150");
+    }
+}
+
+#[test]
+fn bad_discs_are_refused_by_name() {
+    for bad in [0.0, -2.0, f64::NAN, f64::INFINITY, 1e-170, 1e101] {
+        let disc = Disc::new(Point3::ORIGIN, UPWARDS, bad);
+        assert_refused(disc, "radius r is", "from 1e-100 to 1e100");
+    }
+    for bad in [f64::NAN, f64::INFINITY, 1e101] {
+        let disc = Disc::new(point([bad, 0.0, 0.0]), UPWARDS, 1.0);
+        assert_refused(disc, "centre c is", "from -1e100 to 1e100");
+    }
+    for bad in [0.0, f64::NAN, f64::NEG_INFINITY] {
+        let disc = Disc::new(Point3::ORIGIN, Normal3::new(0.0, bad, 0.0), 1.0);
+        assert_refused(disc, "normal n is", "not all of them 0");
     }
 }
