@@ -19,7 +19,7 @@ testing::examples! {
         let size = Size::new(w, h).unwrap();
         ppm(&Image::from_fn(size, |_, _| color).unwrap())
     };
-    assert_eq!(file(1, 1, Color::WHITE), b"P6\n1 1\n255\n\xff\xff\xff");
+    assert!(file(1, 1, Color::WHITE) == b"P6\n1 1\n255\n\xff\xff\xff", "a white pixel");
     assert!(file(3, 2, Color::BLACK).starts_with(b"P6\n3 2\n255\n"), "three columns, two rows");
     assert_close!(file(3, 2, Color::BLACK).len(), 11 + 3 * 3 * 2, "three bytes per pixel");
 }

@@ -27,8 +27,8 @@ testing::examples! {
     // White in the lower right corner.
     let corner = Image::from_fn(Size::new(3, 3).unwrap(), |x, y| Color::gray((x * y / 4).into()));
     let small = |n| thumbnail(corner.as_ref().unwrap(), n).unwrap();
-    assert_eq!(&small(1), corner.as_ref().unwrap(), "by 1 nothing changes");
-    assert_eq!(small(2).size(), Size::new(2, 2).unwrap());
+    assert!(small(1) == *corner.as_ref().unwrap(), "by 1 nothing changes");
+    assert!(small(2).size() == Size::new(2, 2).unwrap(), "a part of a square is a pixel, too");
     assert_close!(small(2).get(0, 0), Some(Color::BLACK), "four black pixels");
     assert_close!(small(2).get(1, 1), Some(Color::WHITE), "a single pixel");
 }

@@ -1,6 +1,7 @@
 //! Pictures of random greys, compared with the solution.
 
 use crate::prelude::*;
+use crate::solutions::thumbnail::thumbnail;
 
 yours! { thumbnail }
 
@@ -34,31 +35,21 @@ pub fn exercise() -> Exercise<Code> {
         wrong: vec![
             Other::new(
                 "a mean is over the whole square, not one pixel",
-                |image, n| mean(image, n, |greys| greys[0]),
+                |image, n| {
+                    let pixel = |x, y| image.get(x * n, y * n).unwrap_or_default();
+                    Image::from_fn(thumbnail(image, n)?.size(), pixel)
+                },
             ),
             Other::new(
                 "a square that the edge cuts off has fewer pixels",
                 |image, n| {
-                    mean(image, n, |greys| {
-                        greys.iter().sum::<f64>() / f64::from(n * n)
-                    })
+                    let size = thumbnail(image, n)?.size();
+                    let size = Size::new(size.width() * n, size.height() * n)?;
+                    let padded = Image::from_fn(size, |x, y| image.get(x, y).unwrap_or_default())?;
+                    thumbnail(&padded, n)
                 },
             ),
         ],
         ..Exercise::default()
     }
-}
-
-/// A picture of another mean of the greys in each square of n by n.
-fn mean(image: &Image, n: u32, mean: impl Fn(&[f64]) -> f64) -> Result<Image, Error> {
-    let size = image.size();
-    let small = Size::new(size.width().div_ceil(n), size.height().div_ceil(n))?;
-    Image::from_fn(small, |column, row| {
-        let mut greys = Vec::new();
-        for i in 0..n * n {
-            let place = image.get(column * n + i % n, row * n + i / n);
-            greys.extend(place.map(|color| color.g));
-        }
-        Color::gray(mean(&greys))
-    })
 }

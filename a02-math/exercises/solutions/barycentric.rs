@@ -23,5 +23,5 @@ testing::examples! {
     assert_close!(weights(1.0, 1.0, 5.0), Some([0.5, 0.25, 0.25]), "inside");
     assert_close!(weights(1.0, 1.0, 9.0), Some([0.5, 0.25, 0.25]), "above it");
     assert_close!(weights(8.0, 0.0, 5.0), Some([-1.0, 2.0, 0.0]), "outside");
-    assert_eq!(barycentric(corners[0], [corners[0]; 3]), None, "no triangle");
+    assert!(barycentric(corners[0], [corners[0]; 3]).is_none(), "none without a triangle");
 }

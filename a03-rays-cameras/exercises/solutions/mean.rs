@@ -17,8 +17,8 @@ pub fn mean(numbers: &[f64]) -> f64 {
 }
 
 testing::examples! {
-    assert_eq!(mean(&[]), 0.0);
-    assert_eq!(mean(&[1.0, 2.0, 6.0]), 3.0);
-    assert_eq!(mean(&[0.1; 1000]), 0.1);
-    assert_eq!(mean(&[1.0, 1e100, 1.0, -1e100]), 0.5);
+    assert!(mean(&[]) == 0.0, "the mean of nothing");
+    assert!(mean(&[1.0, 2.0, 6.0]) == 3.0, "the mean of 1, 2 and 6");
+    assert!(mean(&[0.1; 1000]) == 0.1, "a thousand times 0.1");
+    assert!(mean(&[1.0, 1e100, 1.0, -1e100]) == 0.5, "1 beside 1e100");
 }

@@ -1,5 +1,7 @@
 //! Texts that are right, broken, and random, compared with the solution.
 
+use a04_intersections::kinds::{Content, ShapeKind};
+
 use crate::prelude::*;
 use crate::solutions::read_obj::read_obj as right;
 
@@ -76,28 +78,14 @@ fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
 
 /// The corners of a triangle in their order around it, with which of them it may begin.
 fn corners(triangle: &Triangle) -> String {
-    let mut corners = Vec::new();
-    for corner in corner_points(triangle) {
-        corners.push(format!("{corner:?}"));
-    }
+    let Content::Values(values) = triangle.content() else {
+        return String::new();
+    };
+    let corners = values[0].1.chunks(3);
+    let mut corners: Vec<_> = corners.map(|corner| format!("{corner:?}")).collect();
     let first = (0..corners.len()).min_by_key(|index| &corners[*index]);
     corners.rotate_left(first.unwrap_or_default());
     corners.join("-")
-}
-
-/// The corners of a triangle, of which only the words for developers tell.
-fn corner_points(triangle: &Triangle) -> Vec<[f64; 3]> {
-    let words = format!("{triangle:?}");
-    let mut points = Vec::new();
-    for corner in words.split("DVec3(").skip(1).take(3) {
-        let (numbers, _) = corner.split_once(')').unwrap_or_default();
-        let mut coordinates = [f64::NAN; 3];
-        for (coordinate, number) in coordinates.iter_mut().zip(numbers.split(", ")) {
-            *coordinate = number.parse().unwrap_or(f64::NAN);
-        }
-        points.push(coordinates);
-    }
-    points
 }
 
 /// A random face among random corners, which are named in all ways.

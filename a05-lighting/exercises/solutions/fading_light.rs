@@ -22,5 +22,5 @@ testing::examples! {
     assert_close!(light.color, Color::RED * 0.25, "at the distance 2");
     assert_close!(array(light.direction), [0.0, 1.0, 0.0], "to the lamp");
     assert_close!(light.distance, 2.0);
-    assert!(from(4.0).is_none(), "in the lamp");
+    assert!(from(4.0).is_none(), "no light in the lamp");
 }

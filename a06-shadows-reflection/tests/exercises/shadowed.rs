@@ -94,6 +94,7 @@ fn simple() -> Vec<Lit> {
     for distance in [8.0, 8e-6] {
         simple.push(across([0.996, 0.999], distance));
         simple.push(across([0.9997, 0.99985], distance));
+        simple.push(across([0.001, 0.003], distance));
     }
     for distance in [8.0, 8e-6, 8e6] {
         for direction in [[3.0, 4.0, 0.0], [-2.0, 3.0, 6.0], [1.0, 1.0, 1.0]] {

@@ -65,5 +65,5 @@ testing::examples! {
     };
     assert_close!(hit(Interval::AHEAD), Some((6.0, 1.0)), "the large ball, twice as wide");
     assert_close!(hit(Interval { min: 6.5, max: 8.0 }), Some((7.0, 1.0)), "the small one in it");
-    assert_eq!(hit(Interval::before(5.5)), None);
+    assert!(hit(Interval::before(5.5)).is_none(), "no hit before t = 5.5");
 }

@@ -40,5 +40,5 @@ testing::examples! {
     let hit = |x| hit_from([x, 3.0, 0.0], [0.0, -1.0, 0.0], &ring).map(|hit| hit.t);
     assert_close!(hit(1.0), Some(3.0), "the inner border belongs to it");
     assert_close!(hit(2.0), Some(3.0), "the outer border belongs to it");
-    assert_eq!([0.5, 2.5].map(hit), [None; 2], "the hole, and beside the ring");
+    assert!([0.5, 2.5].map(hit) == [None; 2], "no hit in the hole and beside the ring");
 }

@@ -170,18 +170,4 @@ mod tests {
             "not yet\ncannot write out/a.png\na01/exercises/a.rs:1\ndebug/a\nbook/src/a.md";
         assert_eq!(words, without);
     }
-
-    #[test]
-    fn the_limit_that_stops_a_program_is_named() {
-        // 128 and the numbers of SIGKILL, SIGXFSZ and SIGABRT.
-        for (code, limit) in [
-            (137, "time"),
-            (153, "the size of a file"),
-            (134, "memory, or of the depth of calls"),
-        ] {
-            assert_eq!(end(Some(code)), End::Limit(limit));
-        }
-        assert_eq!(end(Some(101)), End::Failure);
-        assert_eq!(end(Some(3)), End::Begun);
-    }
 }

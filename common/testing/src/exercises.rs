@@ -17,8 +17,6 @@
 //!    exercise, shows the messages that students read, and leaves the picture of the solution in
 //!    `out/exercises/`.
 
-#[cfg(not(target_family = "wasm"))]
-mod assertion;
 mod exercise;
 mod folder;
 #[cfg(target_family = "wasm")]

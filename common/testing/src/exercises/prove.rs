@@ -168,15 +168,17 @@ impl Author {
         }
         let recorded = fs::read_to_string(&file)?;
         let mut lines = (1..).zip(recorded.lines().zip(answers.lines()));
-        match lines.find(|(_, (old, new))| old != new) {
-            None if recorded.lines().count() == answers.lines().count() => Ok(()),
-            None => Err("the recorded answers are incomplete".into()),
-            Some((line, (old, new))) => Err(format!(
+        if let Some((line, (old, new))) = lines.find(|(_, (old, new))| old != new) {
+            return Err(format!(
                 "line {line} of the recorded answers is\n  {old}\nand would be\n  {new}\n\
                  if it is right, record it: INSTA_UPDATE=always"
             )
-            .into()),
+            .into());
         }
+        if recorded != answers {
+            return Err("the recorded answers are incomplete".into());
+        }
+        Ok(())
     }
 
     /// Fails if the picture is not the one of this name in the book.

@@ -9,7 +9,6 @@ use std::sync::Mutex;
 use exercise::{MARKED, WORDS_MARK, print_answers};
 
 use super::Missing;
-use super::assertion::assertion_words;
 use super::exercise::Exercise;
 use super::folder::StageFolder;
 use super::program::{Program, Reader};
@@ -88,7 +87,7 @@ fn panic_words(name: &str, panic: &PanicHookInfo) -> String {
         }
         location => (&*own_file, location.map_or(0, Location::line)),
     };
-    format!("{file}, line {line}: {}", assertion_words(message))
+    format!("{file}, line {line}: {message}")
 }
 
 /// Prints words, each line behind a mark if the reader asks for it: so they are told from what the
