@@ -131,7 +131,7 @@ pub fn read(places: &[PathBuf], course: &'static [Exercise]) -> io::Result<Vec<S
 fn root(place: &Path) -> io::Result<Vec<String>> {
     let place = place.canonicalize()?;
     let mut names = Vec::new();
-    for part in place.iter() {
+    for part in &place {
         names.push(part.to_string_lossy().into_owned());
     }
     let is_alone = place.is_file() && !names.last().is_some_and(|name| is_zip(name));

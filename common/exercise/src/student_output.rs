@@ -21,7 +21,7 @@ pub fn print_answers(answers: &[StudentAnswer]) -> String {
             Some(answer) => format!("= {}", text::answer(answer)),
             None => "!".to_owned(),
         };
-        printed += &format!("? {question}\n{answer}\n");
+        printed.extend(["? ", question, "\n", &answer, "\n"]);
     }
     printed
 }

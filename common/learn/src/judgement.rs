@@ -43,7 +43,9 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         Err(problem) => return Report::new(e, &problem),
     };
     if let Err(problem) = progress.record(e, &text, report.is_done) {
-        report.words += &format!("what is done is not kept: {problem}");
+        report
+            .words
+            .extend(["what is done is not kept: ", &problem]);
     }
     report
 }

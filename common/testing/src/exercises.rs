@@ -89,6 +89,7 @@ macro_rules! exercises {
             #[cfg(any(not(learn), $name))]
             #[allow(clippy::semicolon_if_nothing_returned)]
             #[allow(clippy::manual_midpoint, clippy::type_complexity)]
+            #[allow(clippy::trivially_copy_pass_by_ref)]
             mod $name;
         )+
 

@@ -111,6 +111,7 @@ pub struct Questions<C, I, A> {
 }
 
 /// The questions of several forms.
+#[must_use]
 pub fn all<C, const N: usize>(forms: [Vec<CodeQuestion<C>>; N]) -> Vec<CodeQuestion<C>> {
     forms.into_iter().flatten().collect()
 }

@@ -141,9 +141,9 @@ impl<C: 'static> Program<'_, C> {
         }
         Findings {
             missing,
-            verdict,
             given,
             image,
+            verdict,
         }
     }
 }

@@ -19,6 +19,10 @@ const PRINTED: &str = "EXERCISE_PRINTED";
 /// Runs the examples of a student's file, asks its code, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
 #[must_use]
+#[allow(
+    clippy::needless_pass_by_value,
+    reason = "a page keeps what it is given"
+)]
 pub fn judge<C: 'static>(
     folder: &StageFolder,
     name: &'static str,
