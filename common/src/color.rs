@@ -156,4 +156,16 @@ mod tests {
             assert_eq!(Color::from_bytes(bytes).to_bytes(), bytes);
         }
     }
+
+    #[test]
+    fn bytes_are_clamped_and_rounded() {
+        let byte = |channel: f64| Color::gray(channel).to_bytes()[0];
+        assert_eq!(byte(1.5), 255);
+        assert_eq!(byte(-0.5), 0);
+        assert_eq!(byte(f64::INFINITY), 255);
+        assert_eq!(byte(f64::NAN), 0);
+        assert_eq!(byte(0.5), 128, "127.5 is rounded up");
+        assert_eq!(byte(0.999_999), 255);
+        assert_eq!(byte(0.5 / 255.0), 1, "half a grey level");
+    }
 }

@@ -44,8 +44,14 @@ fn missing(folder: &Path, name: &Path) -> String {
     }
 }
 
-/// The name that is there and most like this one, part by part.
+/// The name that is there and most like this one, part by part, which may begin as the name of a
+/// home folder or as the address of a file.
 fn nearest(folder: &Path, name: &Path) -> Option<PathBuf> {
+    let name = name.to_string_lossy();
+    let address = name.strip_prefix("file://");
+    let name = address.map_or(name.to_string(), |path| path.replace("%20", " "));
+    let at_home = name.strip_prefix("~/").zip(std::env::home_dir());
+    let name = at_home.map_or(PathBuf::from(&name), |(rest, home)| home.join(rest));
     let mut found = PathBuf::new();
     for part in name.components() {
         let place = Path::new(".").join(folder).join(&found);
@@ -76,7 +82,8 @@ mod tests {
         fs::write(folder.join("models/tri.obj"), "f 1 2 3").unwrap();
         let read = |name: &str| read(folder, Path::new(name), 7);
         assert_eq!(read("models/tri.obj"), Ok(b"f 1 2 3".to_vec()));
-        let here = folder.display().to_string();
+        let address = format!("file://{}/models/tri.obj", folder.display());
+        let in_models = "models; the nearest is models/tri.obj";
         for (name, begin, end) in [
             ("models", "it is a folder", ""),
             (
@@ -87,9 +94,14 @@ mod tests {
             (
                 "models/tri.obj ",
                 "there is no such file in the folder ",
-                "models; the nearest is models/tri.obj",
+                in_models,
             ),
-            ("knot.ply", "there is no such file in the folder ", &here),
+            (&address, "there is no folder ", &address["file://".len()..]),
+            (
+                "knot.ply",
+                "there is no such file in the folder ",
+                &address[7..address.len() - 15],
+            ),
         ] {
             let reason = read(name).unwrap_err();
             assert!(

@@ -1,11 +1,13 @@
 //! `Mesh`: the triangles of an OBJ or PLY file.
 
 mod obj;
+mod places;
 mod ply;
 mod ply_header;
 mod ply_numbers;
 mod polygon;
 mod polygons;
+mod sides;
 mod vertex_normals;
 
 use polygon::Triangulator;
@@ -182,7 +184,8 @@ impl Mesh {
         }
         if flat > 0 {
             notes.push(format!(
-                "flat in spite of smooth = true: {}, with normals that cancel out",
+                "flat in spite of smooth = true: {}, with no side in common with another to a \
+                 thousandth of its length, or too narrow, or with normals that cancel out",
                 number_of(flat, "triangle")
             ));
         }

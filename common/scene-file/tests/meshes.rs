@@ -223,6 +223,8 @@ fn normals_of_a_file_stay_and_those_that_cancel_out_are_none() {
     }
     let mesh = smooth(&[SQUARE, "f 1 2 3\nf 1 3 2\n"].concat());
     assert!(mesh.triangles().all(|(_, normals)| normals.is_none()));
-    let note = "flat in spite of smooth = true: 2 triangles, with normals that cancel out";
-    assert_eq!(mesh.notes(), [note]);
+    let [note] = &mesh.notes()[..] else {
+        panic!("{:?}", mesh.notes());
+    };
+    assert!(note.starts_with("flat in spite of smooth = true: 2 triangles, with no side"));
 }

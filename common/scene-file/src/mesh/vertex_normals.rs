@@ -5,6 +5,8 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
+use super::places::places;
+use super::sides::across;
 use super::{Mesh, NONE};
 
 /// The numbers of triangles that lacked normals, by what became of them.
@@ -12,84 +14,168 @@ use super::{Mesh, NONE};
 pub(super) struct Smoothed {
     /// Smooth.
     pub smooth: usize,
-    /// Flat, because the normals at a corner cancel out.
+    /// Flat, because no surface goes on from them, because they are too narrow, or because normals
+    /// cancel out.
     pub flat: usize,
 }
-
-/// Corners whose coordinates are equal up to this part of the largest one are at the same place, such as
-/// those at the pole of a globe, which a program computed one by one.
-const SAME_PLACE: f64 = 1e-6;
 
 /// A sum of normals that is a smaller part of the sum of their lengths is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The sum of the weighted normals at a place, and the sum of their lengths.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    normal: DVec3,
-    lengths: f64,
-}
-
 impl Mesh {
     /// Computes the normals that corners lack. Corners at the same place share their normal, so
-    /// that a triangle with corners of its own is smooth, too.
+    /// that a triangle with corners of its own is smooth, too. It does not matter in which
+    /// direction triangles go round, nor whether some of them are there twice.
     pub(super) fn add_missing_normals(&mut self) -> Smoothed {
         let mut counts = Smoothed::default();
+        let corners: Vec<_> = (self.triangles.iter())
+            .map(|triangle| triangle.map(|[corner, _]| corner))
+            .collect();
         let lacks = |triangle: &[[u32; 2]; 3]| triangle.iter().any(|[_, normal]| *normal == NONE);
         if !self.triangles.iter().any(lacks) {
             return counts;
         }
-        let place_of = self.places();
-        let mut sums = vec![Sum::default(); self.corners.len()];
-        for triangle in &self.triangles {
-            let corners = triangle.map(|[corner, _]| corner as usize);
-            let positions = corners.map(|corner| DVec3::from(self.corners[corner]));
-            let normals = weighted_normals(positions).unwrap_or_default();
-            for (corner, normal) in corners.into_iter().zip(normals) {
-                let sum = &mut sums[place_of[corner] as usize];
-                sum.normal += normal;
-                sum.lengths += normal.length();
+        let place_of = places(&self.corners, &corners);
+        let at = |corner: u32| DVec3::from(self.corners[corner as usize]);
+        let mut weighted = Vec::with_capacity(corners.len());
+        let mut faces = Vec::with_capacity(corners.len());
+        let mut first_of = HashMap::new();
+        let mut twins = Vec::new();
+        for (triangle, corners) in corners.iter().enumerate() {
+            let places @ [a, b, c] = corners.map(|corner| place_of[corner as usize]);
+            let normals = weighted_normals(corners.map(at));
+            let mut face = None;
+            if normals.is_some() && a != b && b != c && c != a {
+                let mut key = places;
+                key.sort_unstable();
+                let first = *first_of.entry(key).or_insert(triangle);
+                if first == triangle {
+                    face = Some(places);
+                } else {
+                    twins.push((triangle, first, places));
+                }
+            }
+            faces.push(face);
+            weighted.push(normals.unwrap_or_default());
+        }
+        let fans = Fans {
+            across: across(&faces, at),
+            faces,
+        };
+
+        let mut normal_of = vec![NONE; 3 * corners.len()];
+        let mut is_alone = vec![true; 3 * corners.len()];
+        for first in 0..3 * corners.len() as u32 {
+            if normal_of[first as usize] != NONE || fans.place(first).is_none() {
+                continue;
+            }
+            let mut fan = fans.around(first);
+            fan.sort_unstable();
+            let (mut sum, mut lengths) = (DVec3::ZERO, 0.0);
+            for (corner, is_turned) in &fan {
+                let normal = weighted.as_flattened()[*corner as usize];
+                sum += if *is_turned { -normal } else { normal };
+                lengths += normal.length();
+            }
+            let is_rounding = sum.length() <= ROUNDING * lengths;
+            let index = self.normals.len() as u32;
+            self.normals.push(sum.to_array());
+            if fan.iter().any(|(_, is_turned)| *is_turned) {
+                self.normals.push((-sum).to_array());
+            }
+            for (corner, is_turned) in &fan {
+                let of_corner = index + u32::from(*is_turned);
+                normal_of[*corner as usize] = if is_rounding { CANCELLED } else { of_corner };
+                is_alone[*corner as usize] = fan.len() == 1;
             }
         }
-        let first = self.normals.len() as u32;
-        let computed = sums.iter().map(|sum| sum.normal.to_array());
-        self.normals.extend(computed);
-        for triangle in &mut self.triangles {
+        for (twin, first, places) in twins {
+            for (i, place) in places.into_iter().enumerate() {
+                let of_first = (0..3).find(|j| fans.place((3 * first + j) as u32) == Some(place));
+                let (own, other) = (3 * twin + i, 3 * first + of_first.unwrap_or(i));
+                normal_of[own] = normal_of[other];
+                is_alone[own] = is_alone[other];
+            }
+        }
+        for (i, triangle) in self.triangles.iter_mut().enumerate() {
             if !lacks(triangle) {
                 continue;
             }
-            let places = triangle.map(|[corner, _]| place_of[corner as usize]);
-            let is_rounding = |place: u32| {
-                let Sum { normal, lengths } = sums[place as usize];
-                normal.length() <= ROUNDING * lengths
-            };
-            if places.into_iter().any(is_rounding) {
+            let own = 3 * i..3 * i + 3;
+            let (normals, are_alone) = (&normal_of[own.clone()], &is_alone[own]);
+            if normals.contains(&CANCELLED) || are_alone == [true; 3] {
                 counts.flat += 1;
-                continue;
-            }
-            counts.smooth += 1;
-            for ([_, normal], place) in triangle.iter_mut().zip(places) {
-                if *normal == NONE {
-                    *normal = first + place;
+            } else {
+                counts.smooth += 1;
+                for ([_, normal], computed) in triangle.iter_mut().zip(normals) {
+                    if *normal == NONE {
+                        *normal = *computed;
+                    }
                 }
             }
         }
         counts
     }
+}
 
-    /// For each corner the first one that is at the same place.
-    fn places(&self) -> Vec<u32> {
-        let coordinates = self.corners.as_flattened().iter();
-        let largest = coordinates.fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let cell = SAME_PLACE * largest;
-        let mut first_of = HashMap::new();
-        let mut places = Vec::new();
-        for (corner, position) in (0..).zip(&self.corners) {
-            let place = position.map(|x| (x / cell).round() as i64);
-            places.push(*first_of.entry(place).or_insert(corner));
-        }
-        places
+/// The index of a normal that is only rounding.
+const CANCELLED: u32 = NONE - 1;
+
+/// Triangles whose sides lead from one to the other. A corner has the number of its side, see
+/// [`across`].
+struct Fans {
+    /// The places of the corners of each triangle; none for one that is too narrow, or that has
+    /// the corners of an earlier one.
+    faces: Vec<Option<[u32; 3]>>,
+    across: Vec<u32>,
+}
+
+impl Fans {
+    fn place(&self, corner: u32) -> Option<u32> {
+        let [triangle, i] = [corner / 3, corner % 3].map(|i| i as usize);
+        self.faces[triangle].map(|places| places[i])
     }
+
+    /// The corners at the place of the first one to which sides lead from it, and whether the
+    /// triangle of each goes round in the other direction than that of the first.
+    fn around(&self, first: u32) -> Vec<(u32, bool)> {
+        let mut fan = vec![(first, false)];
+        // The side that begins at a corner, and the one that ends there.
+        for mut side in [first, previous(first)] {
+            let (mut corner, mut is_turned) = (first, false);
+            while let other = self.across[side as usize]
+                && other != NONE
+            {
+                let other_begins = self.place(other) == self.place(first);
+                is_turned ^= other_begins == (side == corner);
+                corner = if other_begins { other } else { next(other) };
+                if corner == first {
+                    return fan;
+                }
+                fan.push((corner, is_turned));
+                side = if other_begins {
+                    previous(corner)
+                } else {
+                    corner
+                };
+            }
+        }
+        fan
+    }
+}
+
+/// The next corner of the same triangle.
+const fn next(corner: u32) -> u32 {
+    if corner % 3 == 2 {
+        corner - 2
+    } else {
+        corner + 1
+    }
+}
+
+/// The corner before in the same triangle.
+const fn previous(corner: u32) -> u32 {
+    next(next(corner))
 }
 
 /// The unit normal of a triangle for each of its corners, times the angle there in radians; none
