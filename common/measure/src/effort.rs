@@ -1,10 +1,9 @@
-//! `Effort`: how many rays, samples and rounds a measurement takes; more of them
-//! only make it more certain.
+//! `Effort`: how many rays an extreme case counts; more of them only make it more certain.
 
-/// How many rays, samples and rounds to spend.
+/// How many rays to spend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// Few: a measurement takes seconds.
+    /// Few: all cases of a stage take seconds.
     Quick,
     /// The full counts.
     Full,
