@@ -55,6 +55,13 @@ impl Answer {
         self
     }
 
+    /// The number of this name, if there is one.
+    #[must_use]
+    pub fn number(&self, name: &str) -> Option<f64> {
+        let part = self.parts.iter().find(|part| part.name == name)?;
+        part.value.numbers().first().copied()
+    }
+
     /// Each number, with the magnitude of the value that it belongs to.
     fn numbers(&self) -> impl Iterator<Item = (f64, f64)> {
         self.parts.iter().flat_map(|part| {

@@ -32,7 +32,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         Ok(text) => text,
         Err(problem) => return Report::new(e, &problem),
     };
-    let mut report = match build_and_run(e, space, watcher) {
+    let mut report = match build_and_run(e, None, space, watcher) {
         Ok(Some(report)) => report,
         Ok(None) => {
             return Report {
@@ -50,10 +50,29 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
     report
 }
 
-/// Builds and runs the check. There is no report if the watcher stops it.
-fn build_and_run(e: &Exercise, space: Space, watcher: Watcher) -> Result<Option<Report>, String> {
+/// What a student's shape answers to the rays of the corpus.
+pub fn ask_corpus(e: &Exercise, space: Space, watcher: Watcher) -> Result<String, String> {
+    let report = build_and_run(e, Some("EXERCISE_CORPUS"), space, watcher)?;
+    Ok(match report {
+        Some(report) if report.is_done => report.words,
+        Some(report) => report.verdict,
+        None => String::new(),
+    })
+}
+
+/// Builds and runs the check, with a variable in its environment. There is no report if the watcher stops it.
+fn build_and_run(
+    e: &Exercise,
+    variable: Option<&str>,
+    space: Space,
+    watcher: Watcher,
+) -> Result<Option<Report>, String> {
     match build(e, space, watcher)? {
-        Build::Program(program) => run_check(e, &program, space, watcher),
+        Build::Program(program) => {
+            let mut check = Command::new(program);
+            check.envs(variable.map(|variable| (variable, "1")));
+            run_check(e, check, space, watcher)
+        }
         Build::Failed(report) => Ok(Some(report)),
         Build::Stopped => Ok(None),
     }
@@ -62,13 +81,13 @@ fn build_and_run(e: &Exercise, space: Space, watcher: Watcher) -> Result<Option<
 /// Runs the test program. There is no report if the watcher stops it.
 fn run_check(
     e: &Exercise,
-    program: &str,
+    mut check: Command,
     space: Space,
     watcher: Watcher,
 ) -> Result<Option<Report>, String> {
+    let program = check.get_program().to_owned();
     let with_path = files::with_path(program.as_ref());
     let (output, to_output) = io::pipe().map_err(&with_path)?;
-    let mut check = Command::new(program);
     check.env("RUST_BACKTRACE", "0").env(MARKED, "1");
     check.stdout(to_output.try_clone().map_err(&with_path)?);
     check.stderr(to_output);

@@ -34,10 +34,13 @@ use common::text;
 
 pub use build::{arguments, find_program};
 use exercise::Exercise;
-use judgement::judge;
+use judgement::{ask_corpus, judge};
 use phase::Phase;
 use progress::Progress;
 use screen::Screen;
+
+/// The exercises whose code the corpus of ray failures asks.
+const SHAPES: [&str; 5] = ["plane", "axis_aligned_box", "triangle", "sphere", "disc"];
 
 const ALL_DONE: &str = "all exercises are done; with a name, one is shown again";
 
@@ -75,6 +78,8 @@ enum Command {
     Hint(OrNext),
     /// Checks an exercise once
     Check(Check),
+    /// Asks your plane, box, triangle, sphere and disc the rays that broke ray tracers
+    Corpus,
     /// Builds the book with your pictures in it
     Book,
     /// Begins an exercise again, and keeps your file
@@ -106,6 +111,7 @@ fn run() -> Result<String, String> {
         }),
         Some(Command::Check(Check { all: true, .. })) => check_all(course),
         Some(Command::Check(Check { one, .. })) => with_chosen(&one, course, check),
+        Some(Command::Corpus) => corpus(course),
         Some(Command::Book) => book::build(course),
         Some(Command::Reset(shown)) => with_chosen(&shown, course, files::reset),
         Some(Command::Submit(submit)) => submit.run(course),
@@ -163,6 +169,24 @@ fn check_all(course: &[Exercise]) -> Result<String, String> {
     } else {
         Err(format!("{words}; open: {}", open.join(", ")))
     }
+}
+
+/// Asks the shapes that are begun the corpus of ray failures.
+fn corpus(course: &[Exercise]) -> Result<String, String> {
+    let space = Screen::new().space();
+    let mut words = Vec::new();
+    for e in course {
+        if SHAPES.contains(&e.name) && files::is_begun(e) {
+            words.push(ask_corpus(e, space, &mut told(&format!(": {}", e.name)))?);
+        }
+    }
+    if words.is_empty() {
+        let names = SHAPES.join(", ");
+        return Err(format!(
+            "the corpus asks your shapes, and none is begun: `cargo learn NAME` begins {names}"
+        ));
+    }
+    Ok(Screen::new().wrap(&words.join("\n")))
 }
 
 /// Says on the standard error what goes on, if it takes longer than a second.

@@ -17,6 +17,8 @@
 //!    exercise, shows the messages that students read, and leaves the picture of the solution in
 //!    `out/exercises/`.
 
+#[cfg(not(target_family = "wasm"))]
+mod corpus;
 mod exercise;
 mod folder;
 #[cfg(target_family = "wasm")]
