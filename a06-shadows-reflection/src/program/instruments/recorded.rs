@@ -117,9 +117,9 @@ fn push_shadow_ray(ray: &Ray, within: Interval) {
 fn push_reflected_ray(ray: &Ray) {
     let p = last_hit();
     let before = steps::so_far(|steps| {
-        let of_sample = steps.iter().rev().take_while(|step| step.level > 0);
-        let reflected = of_sample.filter(|step| step.kind == StepKind::ReflectedRay);
-        reflected.count()
+        let mut of_sample = steps.iter().rev().take_while(|step| step.level > 0);
+        let last = of_sample.find(|step| step.kind == StepKind::ReflectedRay);
+        last.and_then(|step| step.number).unwrap_or_default()
     });
     steps::heading(StepKind::ReflectedRay, |kind| {
         let number = 1 + before.unwrap_or_default();
