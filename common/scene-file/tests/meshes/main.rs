@@ -1,5 +1,7 @@
-//! Meshes as programs write them, most of them as data: each file of `tests/meshes` has changes of
+//! Meshes as programs write them, most of them as data: `obj.txt` and `ply.txt` have changes of
 //! a square, between empty lines, and after each the note or the error that it must get.
+
+mod smooth;
 
 use scene_file::Mesh;
 
@@ -65,9 +67,7 @@ fn check(cases: &str, change: impl Fn(&str) -> String) {
 
 #[test]
 fn each_obj_is_the_square_or_gets_its_error() {
-    check(include_str!("meshes/obj.txt"), |lines| {
-        SQUARE.to_owned() + lines
-    });
+    check(include_str!("obj.txt"), |lines| SQUARE.to_owned() + lines);
     // A corner beside three with a normal has none.
     let file = [
         SQUARE,
@@ -81,7 +81,7 @@ fn each_obj_is_the_square_or_gets_its_error() {
 
 #[test]
 fn each_ply_is_the_square_or_gets_its_error() {
-    check(include_str!("meshes/ply.txt"), |changes| {
+    check(include_str!("ply.txt"), |changes| {
         let mut file = PLY.to_owned();
         for change in changes.lines() {
             let (from, to) = change.split_once(" => ").expect(change);
@@ -171,60 +171,4 @@ fn normals_of_ply_are_those_of_the_vertices() {
         assert_eq!(normals, [Some(expected), None]);
         assert_eq!(mesh.notes().len(), 1);
     }
-}
-
-/// The mesh of an OBJ file with computed normals.
-fn smooth(file: &str) -> Mesh {
-    let mut mesh = read(file.as_bytes());
-    mesh.set_smooth(true);
-    mesh
-}
-
-/// At the corner (0, 0, 0) a right angle of the plane z = 0, divided into two faces, meets right
-/// angles of the planes x = 0 and y = 0: weighted by angle, the three planes count the same.
-#[test]
-fn smooth_computes_the_normals_that_a_file_lacks() {
-    let corner = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n\
-                  f 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n";
-    // The same with corners of their own, which rounding keeps apart.
-    let apart = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1e-12 0 -0\nv 1 1 0\nv 0 1 0\nv 0 0 1e-12\nv 0 1 0\n\
-                 v 0 0 1\nv 0 -1e-12 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n";
-    for file in [corner, apart] {
-        let mut mesh = smooth(file);
-        for ([at, ..], normals) in mesh.triangles() {
-            assert!(at.iter().all(|x| x.abs() < 1e-9));
-            let [normal, ..] = normals.unwrap();
-            let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
-            for x in normal {
-                assert!(
-                    (x / length - 1.0 / 3_f64.sqrt()).abs() < 1e-11,
-                    "{normal:?}"
-                );
-            }
-        }
-        let note =
-            "smooth, with computed normals for 4 of 4 triangles, for which the file has none";
-        assert_eq!(mesh.notes(), [note]);
-        mesh.set_smooth(false);
-        assert!(mesh.triangles().all(|(_, normals)| normals.is_none()));
-    }
-}
-
-/// A face and its back have no normal at their corners.
-#[test]
-fn normals_of_a_file_stay_and_those_that_cancel_out_are_none() {
-    let mesh = smooth(&[SQUARE, "vn 1 0 0\nf 1//1 2//1 3//1\nf 1//1 3 4//7"].concat());
-    let normals: Vec<_> = mesh.triangles().map(|(_, normals)| normals).collect();
-    assert_eq!(normals[0], Some([[1.0, 0.0, 0.0]; 3]));
-    let [first, second, third] = normals[1].unwrap();
-    assert_eq!(first, [1.0, 0.0, 0.0]);
-    for computed in [second, third] {
-        assert!(computed[0] == 0.0 && computed[1] == 0.0 && computed[2] > 0.0);
-    }
-    let mesh = smooth(&[SQUARE, "f 1 2 3\nf 1 3 2\n"].concat());
-    assert!(mesh.triangles().all(|(_, normals)| normals.is_none()));
-    let [note] = &mesh.notes()[..] else {
-        panic!("{:?}", mesh.notes());
-    };
-    assert!(note.starts_with("flat in spite of smooth = true: 2 triangles, with no side"));
 }

@@ -1,9 +1,11 @@
-//! Computed normals of an octahedron, whose corners lie on the axes: by symmetry the normal at each
-//! corner goes along its axis, however the file gives the faces.
+//! Computed normals, most of them of an octahedron, whose corners lie on the axes: by symmetry the normal at
+//! each corner goes along its axis, however the file gives the faces.
 
 use std::fmt::Write;
 
 use scene_file::Mesh;
+
+use super::SQUARE;
 
 const CORNERS: [[f64; 3]; 6] = [
     [1.0, 0.0, 0.0],
@@ -179,5 +181,35 @@ fn the_corners_at_a_pole_are_one() {
             let least = if is_pole { 1.0 - 1e-12 } else { 0.98 };
             assert!((dot / length).abs() > least, "{corner:?} {normal:?}");
         }
+    }
+}
+
+/// At the corner (0, 0, 0) a right angle of the plane z = 0, divided into two faces, meets right
+/// angles of the planes x = 0 and y = 0: weighted by angle, the three planes count the same.
+#[test]
+fn normals_are_weighted_by_angle() {
+    let corner = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n\
+                  f 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n";
+    let mut mesh = read(corner);
+    for (_, normals) in mesh.triangles() {
+        let [normal, ..] = normals.unwrap();
+        let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for x in normal {
+            assert!((x / length - 1.0 / 3_f64.sqrt()).abs() < 1e-15);
+        }
+    }
+    mesh.set_smooth(false);
+    assert!(mesh.triangles().all(|(_, normals)| normals.is_none()));
+}
+
+#[test]
+fn normals_of_a_file_stay() {
+    let mesh = read(&[SQUARE, "vn 1 0 0\nf 1//1 2//1 3//1\nf 1//1 3 4//7"].concat());
+    let normals: Vec<_> = mesh.triangles().map(|(_, normals)| normals).collect();
+    assert_eq!(normals[0], Some([[1.0, 0.0, 0.0]; 3]));
+    let [first, second, third] = normals[1].unwrap();
+    assert_eq!(first, [1.0, 0.0, 0.0]);
+    for computed in [second, third] {
+        assert!(computed[0] == 0.0 && computed[1] == 0.0 && computed[2] > 0.0);
     }
 }
