@@ -202,13 +202,23 @@ impl<T: Into<Self>> From<Option<T>> for Answer {
     }
 }
 
-/// An assertion of an example with these words, of numbers that formulas may round differently.
+/// An assertion of an example, of numbers that formulas may round differently.
+///
+/// # Panics
+///
+/// Panics with the difference if there is one.
+#[track_caller]
+pub fn assert_close(yours: impl Into<Answer>, right: impl Into<Answer>) {
+    assert_close_about("an example", yours, right);
+}
+
+/// As [`assert_close`], with words about the example.
 ///
 /// # Panics
 ///
 /// Panics with the words and the difference if there is one.
 #[track_caller]
-pub fn assert_close(about: &str, yours: impl Into<Answer>, right: impl Into<Answer>) {
+pub fn assert_close_about(about: &str, yours: impl Into<Answer>, right: impl Into<Answer>) {
     let (yours, right) = (yours.into(), right.into());
     let allowed = right.numbers().map(|(_, largest)| largest.max(1e-3) * 1e-9);
     let difference = right.difference(&yours, &allowed.collect::<Vec<_>>());
@@ -222,9 +232,9 @@ pub fn assert_close(about: &str, yours: impl Into<Answer>, right: impl Into<Answ
 #[macro_export]
 macro_rules! assert_close {
     ($yours:expr, $right:expr $(,)?) => {
-        $crate::assert_close("an example", $yours, $right)
+        $crate::assert_close($yours, $right)
     };
     ($yours:expr, $right:expr, $about:expr $(,)?) => {
-        $crate::assert_close($about, $yours, $right)
+        $crate::assert_close_about($about, $yours, $right)
     };
 }

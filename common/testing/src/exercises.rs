@@ -18,6 +18,8 @@
 //!    `out/exercises/`.
 
 #[cfg(not(target_family = "wasm"))]
+mod assertion;
+#[cfg(not(target_family = "wasm"))]
 mod corpus;
 mod exercise;
 mod folder;

@@ -9,6 +9,7 @@ use std::sync::Mutex;
 use exercise::{MARKED, WORDS_MARK, print_answers};
 
 use super::Missing;
+use super::assertion::{assertion_words, is_rounding};
 use super::corpus::ask_corpus;
 use super::exercise::Exercise;
 use super::folder::StageFolder;
@@ -38,6 +39,9 @@ pub fn judge<C: 'static>(
     let is_begun = folder.is_begun(name);
     let lines = Mutex::new(BTreeSet::new());
     panic::set_hook(Box::new(move |panic| {
+        if panic.payload_as_str().is_some_and(is_rounding) {
+            return;
+        }
         let line = panic.location().map_or(0, Location::line);
         // A line may panic for each input, and in each row of a picture.
         if is_begun && lines.lock().is_ok_and(|mut lines| lines.insert(line)) {
@@ -99,7 +103,7 @@ fn panic_words(name: &str, panic: &PanicHookInfo) -> String {
         }
         location => (&*own_file, location.map_or(0, Location::line)),
     };
-    format!("{file}, line {line}: {message}")
+    format!("{file}, line {line}: {}", assertion_words(message))
 }
 
 /// Prints words, each line behind a mark if the reader asks for it: so they are told from what the
