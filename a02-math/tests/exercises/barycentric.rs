@@ -34,12 +34,16 @@ pub fn exercise() -> Exercise<Code> {
         questions: points.into(),
         picture: Picture::own(triangle),
         wrong: vec![
-            Other::new("outside, a weight is negative", |p, corners| Some(right(p, corners)?.map(f64::abs))),
-            Other::new("corners on a line have no weights", |p, corners| right(p, corners).or(Some([f64::NAN; 3]))),
+            Other::new("outside, a weight is negative", |p, corners| {
+                Some(right(p, corners)?.map(f64::abs))
+            }),
+            Other::new("corners on a line have no weights", |p, corners| {
+                right(p, corners).or(Some([f64::NAN; 3]))
+            }),
             Other::new("a small triangle is no line", |p, [a, b, c]| {
-                    let area = (b - a).parallelogram_area(c - a);
-                    right(p, [a, b, c]).filter(|_| area > 1e-9)
-                }),
+                let area = (b - a).parallelogram_area(c - a);
+                right(p, [a, b, c]).filter(|_| area > 1e-9)
+            }),
         ],
         ..Exercise::default()
     }

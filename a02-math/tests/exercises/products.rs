@@ -28,8 +28,7 @@ pub fn exercise() -> Exercise<Code> {
         others: random(|r| (r.triple(9.0), r.triple(9.0))),
         answer: |code: &Code, (a, b)| {
             let (a, b) = (vector(a), vector(b));
-            Answer::named("a · b", (code.dot)(a, b))
-                .and("a × b", array((code.cross)(a, b)))
+            Answer::named("a · b", (code.dot)(a, b)).and("a × b", array((code.cross)(a, b)))
         },
     };
     Exercise {

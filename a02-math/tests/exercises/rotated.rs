@@ -27,26 +27,27 @@ pub fn exercise() -> Exercise<Code> {
             let axis = r.triple(9.0).map(|x| x * length);
             (r.triple(9.0), axis, r.between(-7.0, 7.0))
         }),
-        answer: |rotated: &Code, (v, axis, angle)| {
-            array(rotated(vector(v), vector(axis), angle))
-        },
+        answer: |rotated: &Code, (v, axis, angle)| array(rotated(vector(v), vector(axis), angle)),
     };
     Exercise {
         questions: rotations.into(),
         wrong: vec![
-            Other::new("k × v points to the left, v × k to the right", |v, axis, angle| right(v, axis, -angle)),
-            Other::new("the angle is in radians, not in degrees", |v, axis, angle| right(v, axis, angle.to_radians())),
-            Other::new("the part along the axis stays", |v, axis, angle| {
-                    let along = v.projected_on(axis).unwrap_or_default();
-                    right(v - along, axis, angle)
-                }),
             Other::new(
-                "the axis may have any length",
-                |v, k, angle| {
-                    let (sin, cos) = libm::sincos(angle);
-                    v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
-                },
+                "k × v points to the left, v × k to the right",
+                |v, axis, angle| right(v, axis, -angle),
             ),
+            Other::new(
+                "the angle is in radians, not in degrees",
+                |v, axis, angle| right(v, axis, angle.to_radians()),
+            ),
+            Other::new("the part along the axis stays", |v, axis, angle| {
+                let along = v.projected_on(axis).unwrap_or_default();
+                right(v - along, axis, angle)
+            }),
+            Other::new("the axis may have any length", |v, k, angle| {
+                let (sin, cos) = libm::sincos(angle);
+                v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
+            }),
         ],
         ..Exercise::default()
     }

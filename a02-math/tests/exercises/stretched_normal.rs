@@ -34,11 +34,14 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: normals.into(),
         wrong: vec![
-            Other::new("a normal is divided where points are multiplied", |n, factors| right(n, factors.map(|f| 1.0 / f))),
+            Other::new(
+                "a normal is divided where points are multiplied",
+                |n, factors| right(n, factors.map(|f| 1.0 / f)),
+            ),
             Other::new("the normal is to have length 1 again", |n, [x, y, z]| {
-                    right(n, [x, y, z])?;
-                    Some(Normal3::new(n.x() / x, n.y() / y, n.z() / z))
-                }),
+                right(n, [x, y, z])?;
+                Some(Normal3::new(n.x() / x, n.y() / y, n.z() / z))
+            }),
         ],
         ..Exercise::default()
     }

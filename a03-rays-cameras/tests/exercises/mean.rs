@@ -32,11 +32,12 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: lists.into(),
         wrong: vec![
-            Other::new(
-                "the errors of a plain sum add up",
-                |numbers| numbers.iter().sum::<f64>() / numbers.len().max(1) as f64,
-            ),
-            Other::new("the mean of nothing is 0, not 0 / 0", |numbers| right(numbers) + 0.0 / numbers.len() as f64),
+            Other::new("the errors of a plain sum add up", |numbers| {
+                numbers.iter().sum::<f64>() / numbers.len().max(1) as f64
+            }),
+            Other::new("the mean of nothing is 0, not 0 / 0", |numbers| {
+                right(numbers) + 0.0 / numbers.len() as f64
+            }),
         ],
         ..Exercise::default()
     }

@@ -27,7 +27,10 @@ pub fn exercise() -> Exercise<Code> {
         },
         |angle, [_, height]| [2.0 * libm::tan(angle / 2.0) / height; 2],
     );
-    wrong.push(Other::new("v is perpendicular to w, and t is not", with_t_for_v));
+    wrong.push(Other::new(
+        "v is perpendicular to w, and t is not",
+        with_t_for_v,
+    ));
     Exercise {
         picture: Picture::own(floor),
         wrong,

@@ -29,17 +29,42 @@ pub fn exercise() -> Exercise<Code> {
         questions: pixels.into(),
         picture: Picture::own(landscape),
         wrong: vec![
-            Other::new("rows are counted from the top", |camera, radiance, settings| {
-                painted(camera, radiance, settings, |size, y| size.height() - 1 - y, mean)
-            }),
-            Other::new("a grid may have fewer samples", |camera, radiance, settings| {
-                painted(camera, radiance, settings, |_, y| y, |samples, wanted| {
-                    sum(samples) * (1.0 / f64::from(wanted))
-                })
-            }),
-            Other::new("a pixel is a mean, not a sum", |camera, radiance, settings| {
-                painted(camera, radiance, settings, |_, y| y, |samples, _| sum(samples))
-            }),
+            Other::new(
+                "rows are counted from the top",
+                |camera, radiance, settings| {
+                    painted(
+                        camera,
+                        radiance,
+                        settings,
+                        |size, y| size.height() - 1 - y,
+                        mean,
+                    )
+                },
+            ),
+            Other::new(
+                "a grid may have fewer samples",
+                |camera, radiance, settings| {
+                    painted(
+                        camera,
+                        radiance,
+                        settings,
+                        |_, y| y,
+                        |samples, wanted| sum(samples) * (1.0 / f64::from(wanted)),
+                    )
+                },
+            ),
+            Other::new(
+                "a pixel is a mean, not a sum",
+                |camera, radiance, settings| {
+                    painted(
+                        camera,
+                        radiance,
+                        settings,
+                        |_, y| y,
+                        |samples, _| sum(samples),
+                    )
+                },
+            ),
         ],
         ..Exercise::default()
     }

@@ -31,9 +31,10 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: numbers.into(),
         picture: Picture::own(points),
-        wrong: vec![
-            Other::new("digits stand behind the point, not before it", |n, base| right(n, base) * f64::from(base)),
-        ],
+        wrong: vec![Other::new(
+            "digits stand behind the point, not before it",
+            |n, base| right(n, base) * f64::from(base),
+        )],
         ..Exercise::default()
     }
 }

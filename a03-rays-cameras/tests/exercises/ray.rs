@@ -30,8 +30,7 @@ pub fn exercise() -> Exercise<Code> {
         }),
         answer: |code: &Code, (o, d, t, p)| {
             let ray = Ray::derived(point(o), vector(d));
-            Answer::named("at", array((code.at)(&ray, t)))
-                .and("t_of", (code.t_of)(&ray, point(p)))
+            Answer::named("at", array((code.at)(&ray, t))).and("t_of", (code.t_of)(&ray, point(p)))
         },
     };
     Exercise {

@@ -46,20 +46,29 @@ pub fn exercise() -> Exercise<Code> {
             paint(&camera, &radiance, settings)
         }),
         wrong: vec![
-            Other::new("above the picture is the last stripe", |camera, size, n, ray| {
-                Ok(((height(camera, size, ray) + 1.0) / 2.0 * f64::from(n)) as u32)
-            }),
+            Other::new(
+                "above the picture is the last stripe",
+                |camera, size, n, ray| {
+                    Ok(((height(camera, size, ray) + 1.0) / 2.0 * f64::from(n)) as u32)
+                },
+            ),
             Other::new("stripes are counted from below", |camera, size, n, ray| {
                 let number = (1.0 - height(camera, size, ray)) / 2.0 * f64::from(n);
                 Ok((number as u32).min(n - 1))
             }),
-            Other::new("n stripes fill the picture, not n - 1", |camera, size, n, ray| {
-                Ok(((height(camera, size, ray) + 1.0) / 2.0 * f64::from(n - 1)) as u32)
-            }),
-            Other::new("a number of a stripe is rounded down", |camera, size, n, ray| {
-                let number = (height(camera, size, ray) + 1.0) / 2.0 * f64::from(n);
-                Ok((number.round() as u32).min(n - 1))
-            }),
+            Other::new(
+                "n stripes fill the picture, not n - 1",
+                |camera, size, n, ray| {
+                    Ok(((height(camera, size, ray) + 1.0) / 2.0 * f64::from(n - 1)) as u32)
+                },
+            ),
+            Other::new(
+                "a number of a stripe is rounded down",
+                |camera, size, n, ray| {
+                    let number = (height(camera, size, ray) + 1.0) / 2.0 * f64::from(n);
+                    Ok((number.round() as u32).min(n - 1))
+                },
+            ),
         ],
         ..Exercise::default()
     }

@@ -33,17 +33,26 @@ pub fn exercise() -> Exercise<Code> {
         questions: rays.into(),
         picture: Picture::own(walls),
         wrong: vec![
-            Other::new("the focus is a plane, not a ball", |basis, focus, ray, on_lens| {
+            Other::new(
+                "the focus is a plane, not a ball",
+                |basis, focus, ray, on_lens| {
                     right(basis, focus * -basis.w.dot(ray.direction()), ray, on_lens)
-                }),
-            Other::new("the direction has length 1", |basis, focus, ray, on_lens| {
+                },
+            ),
+            Other::new(
+                "the direction has length 1",
+                |basis, focus, ray, on_lens| {
                     let ray = right(basis, focus, ray, on_lens);
                     Ray::derived(ray.origin(), ray.direction() * focus)
-                }),
-            Other::new("from another place, the direction is another", |basis, focus, ray, on_lens| {
+                },
+            ),
+            Other::new(
+                "from another place, the direction is another",
+                |basis, focus, ray, on_lens| {
                     let origin = right(basis, focus, ray, on_lens).origin();
                     Ray::derived(origin, ray.direction())
-                }),
+                },
+            ),
         ],
         ..Exercise::default()
     }

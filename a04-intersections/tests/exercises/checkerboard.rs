@@ -50,11 +50,15 @@ pub fn exercise() -> Exercise<Code> {
         }),
         wrong: vec![
             Other::new("a cast cuts off: -0.5 and 0.5 become 0", |p, n| {
-                    let below = p - Vector3::from(n) * 1e-6;
-                    right(Point3::from_glam(below.to_glam().trunc()), NONE)
-                }),
-            Other::new("on a face, rounding chooses the cube", |p, _| right(p, NONE)),
-            Other::new("below the surface is against the normal", |p, n| right(p, -n)),
+                let below = p - Vector3::from(n) * 1e-6;
+                right(Point3::from_glam(below.to_glam().trunc()), NONE)
+            }),
+            Other::new("on a face, rounding chooses the cube", |p, _| {
+                right(p, NONE)
+            }),
+            Other::new("below the surface is against the normal", |p, n| {
+                right(p, -n)
+            }),
         ],
         ..Exercise::default()
     }

@@ -60,9 +60,15 @@ pub fn exercise() -> Exercise<Code> {
             eye.show_shapes(house, settings)
         }),
         wrong: vec![
-            Other::new("n corners make n - 2 triangles", |text| Ok(right(text)?.into_iter().take(1).collect())),
-            Other::new("lines are counted from 1", |text| right(text).map_err(|error| error.replace("line 4", "line 3"))),
-            Other::new("vt and vn are no corners", |text| right(&text.replace("vt ", "v "))),
+            Other::new("n corners make n - 2 triangles", |text| {
+                Ok(right(text)?.into_iter().take(1).collect())
+            }),
+            Other::new("lines are counted from 1", |text| {
+                right(text).map_err(|error| error.replace("line 4", "line 3"))
+            }),
+            Other::new("vt and vn are no corners", |text| {
+                right(&text.replace("vt ", "v "))
+            }),
         ],
         ..Exercise::default()
     }

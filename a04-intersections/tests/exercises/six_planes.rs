@@ -14,8 +14,9 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown(([-0.3, 0.1, -0.7], [0.4, 1.2, 0.6]), eye),
-        wrong: vec![
-            Other::from_right("rounding puts a hit beside its own plane", |right| {
+        wrong: vec![Other::from_right(
+            "rounding puts a hit beside its own plane",
+            |right| {
                 new_shape(move |(lbf, run)| {
                     let planes = right((lbf, run))?;
                     let [lbf, run] = [lbf, run].map(|corner| point(corner).to_glam());
@@ -25,8 +26,8 @@ pub fn exercise() -> Exercise<Code> {
                         Some(hit).filter(|_| lbf.min(p) == lbf && run.max(p) == run)
                     }))
                 })
-            }),
-        ],
+            },
+        )],
         ..shapes(boxes())
     }
 }

@@ -87,15 +87,17 @@ fn right(lit: &Lit, exponent: f64) -> f64 {
 
 /// The sum over the lights, with a highlight that follows from the directions and the exponent.
 fn textbook(highlight: fn(&Lit, f64) -> f64) -> Code {
-    shading(move |([diffuse, specular], exponent): ([_; 2], _), ray, hit, lighting| {
-        sum(diffuse, ray, hit, lighting, |light| {
-            let lit = Lit {
-                normal: hit.normal,
-                to_light: light.direction,
-                to_eye: -ray.direction(),
-            };
-            let cosine = lit.normal.dot(lit.to_light).max(0.0);
-            (diffuse * cosine + specular * highlight(&lit, exponent)) * light.color
-        })
-    })
+    shading(
+        move |([diffuse, specular], exponent): ([_; 2], _), ray, hit, lighting| {
+            sum(diffuse, ray, hit, lighting, |light| {
+                let lit = Lit {
+                    normal: hit.normal,
+                    to_light: light.direction,
+                    to_eye: -ray.direction(),
+                };
+                let cosine = lit.normal.dot(lit.to_light).max(0.0);
+                (diffuse * cosine + specular * highlight(&lit, exponent)) * light.color
+            })
+        },
+    )
 }

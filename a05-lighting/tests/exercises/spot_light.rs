@@ -46,7 +46,12 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..lights([1.0, PI].map(|half_angle| Lights {
             words: "light {} at {}, axis {}, half angle {}",
-            first: (Color::new(1.0, 0.5, 0.25), LAMP, [0.0, -1.0, 0.0], half_angle),
+            first: (
+                Color::new(1.0, 0.5, 0.25),
+                LAMP,
+                [0.0, -1.0, 0.0],
+                half_angle,
+            ),
             simple: vec![],
             others: at_borders(),
             any,
@@ -81,9 +86,7 @@ fn angle(cosine: f64) -> f64 {
 /// cosine, and the half angle.
 fn textbook(angle: fn(f64) -> f64, accepts: fn(f64, f64) -> bool) -> Code {
     light_at(move |(c, lamp, axis, half_angle), p| {
-        let light = PointLight::new(c, point(lamp))
-            .ok()?
-            .illumination(p)?;
+        let light = PointLight::new(c, point(lamp)).ok()?.illumination(p)?;
         let cosine = unit(axis).dot(-light.direction);
         accepts(angle(cosine), half_angle).then_some(light)
     })

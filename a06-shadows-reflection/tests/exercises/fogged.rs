@@ -18,11 +18,14 @@ pub fn exercise() -> Exercise<Code> {
             .map(|(density, distance)| (Color::RED, Color::BLUE, density, distance))
             .to_vec(),
         others: random(|r| {
-            (r.color(), r.color(), r.between(0.0, 0.5), r.between(0.0, 9.0))
+            (
+                r.color(),
+                r.color(),
+                r.between(0.0, 0.5),
+                r.between(0.0, 9.0),
+            )
         }),
-        answer: |fogged: &Code, (own, fog, density, distance)| {
-            fogged(own, fog, density, distance)
-        },
+        answer: |fogged: &Code, (own, fog, density, distance)| fogged(own, fog, density, distance),
     };
     Exercise {
         questions: colors.into(),
@@ -35,16 +38,18 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         wrong: vec![
-            Other::new("0 times infinity is not a number", |own, fog, density, distance| {
-                mixed(own, fog, libm::exp(-density * distance))
-            }),
+            Other::new(
+                "0 times infinity is not a number",
+                |own, fog, density, distance| mixed(own, fog, libm::exp(-density * distance)),
+            ),
             Other::new(
                 "each metre takes a fraction of what is left",
                 |own, fog, density, distance| mixed(own, fog, 1.0 - (density * distance).min(1.0)),
             ),
-            Other::new("the fog adds its own colour", |own, _, density, distance| {
-                right(own, Color::BLACK, density, distance)
-            }),
+            Other::new(
+                "the fog adds its own colour",
+                |own, _, density, distance| right(own, Color::BLACK, density, distance),
+            ),
         ],
         ..Exercise::default()
     }

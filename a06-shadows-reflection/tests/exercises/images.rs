@@ -21,9 +21,10 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: lamps.into(),
         wrong: vec![
-            Other::new("a mirror shows the image in the other one", |width, lamp, n| {
-                steps(lamp, n, |[left, right]| [-left, 2.0 * width - right])
-            }),
+            Other::new(
+                "a mirror shows the image in the other one",
+                |width, lamp, n| steps(lamp, n, |[left, right]| [-left, 2.0 * width - right]),
+            ),
             Other::new("a mirror at x = m moves x to 2m - x", |width, lamp, n| {
                 steps(lamp, n, |[left, right]| [-right, width - left])
             }),

@@ -39,17 +39,21 @@ pub fn exercise() -> Exercise<Code> {
             Other::new("no length is fixed", |ray, hit, direction| {
                 offset(ray, hit, direction, hit.geometric_normal.into(), 1e-9)
             }),
-            Other::new("the errors of the coordinates count, too", |ray, hit, direction| {
-                let length = 1e-12 * hit.t;
-                offset(ray, hit, direction, hit.geometric_normal.into(), length)
-            }),
+            Other::new(
+                "the errors of the coordinates count, too",
+                |ray, hit, direction| {
+                    let length = 1e-12 * hit.t;
+                    offset(ray, hit, direction, hit.geometric_normal.into(), length)
+                },
+            ),
             Other::new("the error of t counts, too", |ray, hit, direction| {
                 let length = 1e-12 * Numbers::of(ray, hit).point;
                 offset(ray, hit, direction, hit.geometric_normal.into(), length)
             }),
-            Other::new("a grazing ray does not leave along itself", |ray, hit, direction| {
-                offset(ray, hit, direction, direction, largest(ray, hit))
-            }),
+            Other::new(
+                "a grazing ray does not leave along itself",
+                |ray, hit, direction| offset(ray, hit, direction, direction, largest(ray, hit)),
+            ),
             Other::new(
                 "along itself, a grazing ray would have to go far",
                 |ray, hit, direction| {
@@ -57,9 +61,12 @@ pub fn exercise() -> Exercise<Code> {
                     offset(ray, hit, direction, direction, length)
                 },
             ),
-            Other::new("the face says where the surface is", |ray, hit, direction| {
-                offset(ray, hit, direction, hit.normal.into(), largest(ray, hit))
-            }),
+            Other::new(
+                "the face says where the surface is",
+                |ray, hit, direction| {
+                    offset(ray, hit, direction, hit.normal.into(), largest(ray, hit))
+                },
+            ),
         ],
         ..Exercise::default()
     }

@@ -48,16 +48,14 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         wrong: vec![
-            Other::new("the last surface mirrors black", |world, ray, depth| right(world, ray, depth + 1)),
-            Other::new("a mirror shows other mirrors, too", |world, ray, depth| right(world, ray, depth.min(2))),
-            Other::new(
-                "a mirror reflects a part of the light, not all",
-                unweighted,
-            ),
-            Other::new(
-                "what a dark mirror reflects counts, too",
-                until_dark,
-            ),
+            Other::new("the last surface mirrors black", |world, ray, depth| {
+                right(world, ray, depth + 1)
+            }),
+            Other::new("a mirror shows other mirrors, too", |world, ray, depth| {
+                right(world, ray, depth.min(2))
+            }),
+            Other::new("a mirror reflects a part of the light, not all", unweighted),
+            Other::new("what a dark mirror reflects counts, too", until_dark),
             Other::new(
                 "in a small world a step of fixed length leads through the next mirror",
                 |world, ray, depth| {
@@ -71,14 +69,22 @@ pub fn exercise() -> Exercise<Code> {
                     tracer.trace(ray, depth)
                 },
             ),
-            Other::new("a mirror is seen by its normal, not by its face", |world, ray, depth| {
-                reflected(world, ray, depth, |to_eye, hit| {
-                    to_eye.reflected_on(hit.geometric_normal)
-                })
-            }),
-            Other::new("the formula wants a vector away from the surface", |world, ray, depth| {
-                reflected(world, ray, depth, |to_eye, hit| (-to_eye).reflected_on(hit.normal))
-            }),
+            Other::new(
+                "a mirror is seen by its normal, not by its face",
+                |world, ray, depth| {
+                    reflected(world, ray, depth, |to_eye, hit| {
+                        to_eye.reflected_on(hit.geometric_normal)
+                    })
+                },
+            ),
+            Other::new(
+                "the formula wants a vector away from the surface",
+                |world, ray, depth| {
+                    reflected(world, ray, depth, |to_eye, hit| {
+                        (-to_eye).reflected_on(hit.normal)
+                    })
+                },
+            ),
         ],
         ..Exercise::default()
     }

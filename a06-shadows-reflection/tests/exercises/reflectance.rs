@@ -31,11 +31,17 @@ pub fn exercise() -> Exercise<Code> {
         questions: surfaces.into(),
         picture: Picture::own(of_diamond),
         wrong: vec![
-            Other::new("Schlick's formula is only near to Fresnel's", |cosine, from, to| {
+            Other::new(
+                "Schlick's formula is only near to Fresnel's",
+                |cosine, from, to| {
                     let straight = right(1.0, from, to);
                     straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
-                }),
-            Other::new("a fraction is the square of an amplitude", |cosine, from, to| right(cosine, from, to).sqrt()),
+                },
+            ),
+            Other::new(
+                "a fraction is the square of an amplitude",
+                |cosine, from, to| right(cosine, from, to).sqrt(),
+            ),
         ],
         ..Exercise::default()
     }

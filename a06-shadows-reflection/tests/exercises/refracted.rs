@@ -41,13 +41,10 @@ pub fn exercise() -> Exercise<Code> {
         questions: rays.into(),
         picture: Picture::own(under_water),
         wrong: vec![
-            Other::new(
-                "the way out bends away from the normal",
-                |d, n, index| {
-                    let towards_light = if d.dot(n) > 0.0 { -n } else { n };
-                    snell(d, towards_light, 1.0 / index)
-                },
-            ),
+            Other::new("the way out bends away from the normal", |d, n, index| {
+                let towards_light = if d.dot(n) > 0.0 { -n } else { n };
+                snell(d, towards_light, 1.0 / index)
+            }),
             Other::new(
                 "from inside, the normal points along the light",
                 |d, n, index| {
@@ -55,7 +52,9 @@ pub fn exercise() -> Exercise<Code> {
                     snell(d, n, ratio)
                 },
             ),
-            Other::new("no sine is more than 1", |d, n, index| right(d, n, index).or(Some((-d).reflected_on(n)))),
+            Other::new("no sine is more than 1", |d, n, index| {
+                right(d, n, index).or(Some((-d).reflected_on(n)))
+            }),
         ],
         ..Exercise::default()
     }

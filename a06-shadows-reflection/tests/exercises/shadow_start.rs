@@ -39,15 +39,20 @@ pub fn exercise() -> Exercise<Code> {
             coarse_ball::picture(shadow_start, settings)
         }),
         wrong: vec![
-            Other::new("the curved surface lies above the triangle", |corners, _, weights| {
-                mean(corners, weights)
-            }),
-            Other::new("over a hollow the point stays", |corners, normals, weights| {
-                raised(corners, normals, weights, |depth| depth)
-            }),
-            Other::new("below a plane the depth is positive", |corners, normals, weights| {
-                raised(corners, normals, weights, |depth| (-depth).max(0.0))
-            }),
+            Other::new(
+                "the curved surface lies above the triangle",
+                |corners, _, weights| mean(corners, weights),
+            ),
+            Other::new(
+                "over a hollow the point stays",
+                |corners, normals, weights| raised(corners, normals, weights, |depth| depth),
+            ),
+            Other::new(
+                "below a plane the depth is positive",
+                |corners, normals, weights| {
+                    raised(corners, normals, weights, |depth| (-depth).max(0.0))
+                },
+            ),
         ],
         ..Exercise::default()
     }

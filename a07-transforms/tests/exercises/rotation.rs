@@ -38,10 +38,13 @@ pub fn exercise() -> Exercise<Code> {
         picture: lit(eye, wheel),
         wrong: vec![
             Other::new("the arc tangent of x / z knows no quadrant", |k, angle| {
-                    let side = k.z().signum();
-                    right(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
-                }),
-            Other::new("a turn is counterclockwise for an eye before the axis", |axis, angle| right(axis, -angle)),
+                let side = k.z().signum();
+                right(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
+            }),
+            Other::new(
+                "a turn is counterclockwise for an eye before the axis",
+                |axis, angle| right(axis, -angle),
+            ),
         ],
         ..Exercise::default()
     }
