@@ -60,12 +60,10 @@ fn mdbook(module: Option<&LiveModule>) -> Result<Command, String> {
     Ok(mdbook)
 }
 
-/// Whether a line of mdBook's log is about a fault. That its version differs from that of
-/// mdbook-katex in the last number is none.
+/// Whether a line of mdBook's log is about a fault.
 fn is_warning(line: &str) -> bool {
     let mut words = line.split(|letter: char| !letter.is_alphanumeric());
     words.any(|word| word == "WARN" || word == "ERROR")
-        && !line.contains("was built against mdbook")
 }
 
 fn copy_scripts(module: Option<&LiveModule>) -> Result<(), String> {
