@@ -23,5 +23,5 @@ pub use mistake::Mistake;
 pub use question::Question;
 pub use record::Record;
 pub use row::{Row, Tolerance};
-pub use student_output::{MARK, MARKED, WORDS_MARK, print_answers, read_answers};
+pub use student_output::{CORPUS, MARK, MARKED, WORDS_MARK, print_answers, read_answers};
 pub use verdict::{StudentAnswer, Verdict, verdict};

@@ -9,6 +9,9 @@ pub const MARK: char = '\u{1c}';
 /// apart from what the student's program prints.
 pub const MARKED: &str = "EXERCISE_MARKED";
 
+/// With this variable, the program of a shape's exercise asks it the rays of the corpus, and nothing else.
+pub const CORPUS: &str = "EXERCISE_CORPUS";
+
 /// Begins a line of a check.
 pub const WORDS_MARK: char = '\u{1e}';
 

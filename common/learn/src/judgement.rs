@@ -4,7 +4,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io};
 
-use ::exercise::MARKED;
+use ::exercise::{CORPUS, MARKED};
 use common::text;
 
 use crate::build::{Build, build};
@@ -52,7 +52,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
 
 /// What a student's shape answers to the rays of the corpus.
 pub fn ask_corpus(e: &Exercise, space: Space, watcher: Watcher) -> Result<String, String> {
-    let report = build_and_run(e, Some("EXERCISE_CORPUS"), space, watcher)?;
+    let report = build_and_run(e, Some(CORPUS), space, watcher)?;
     Ok(match report {
         Some(report) if report.is_done => report.words,
         Some(report) => report.verdict,

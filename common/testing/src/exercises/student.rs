@@ -6,20 +6,17 @@ use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::{MARKED, WORDS_MARK, print_answers};
+use exercise::{CORPUS, MARKED, WORDS_MARK, print_answers};
 
-use super::Missing;
 use super::assertion::{assertion_words, is_rounding};
 use super::corpus::ask_corpus;
 use super::exercise::Exercise;
 use super::folder::StageFolder;
 use super::program::{Program, Reader};
+use super::{Missing, take_missing};
 
 /// With this variable in the environment, the program prints its answers for a grader.
 const PRINTED: &str = "EXERCISE_PRINTED";
-
-/// With this variable, it asks a shape the rays of the corpus, and nothing else.
-const CORPUS: &str = "EXERCISE_CORPUS";
 
 /// Runs the examples of a student's file, asks its code, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
@@ -49,7 +46,12 @@ pub fn judge<C: 'static>(
         }
     }));
     if env::var_os(CORPUS).is_some() {
-        say(&ask_corpus(name, &exercise, &yours));
+        let words = ask_corpus(name, &exercise, &yours);
+        // Code that is not written answers each ray by a miss.
+        if !take_missing().is_empty() {
+            return ExitCode::from(3);
+        }
+        say(&words);
         return ExitCode::SUCCESS;
     }
     let record = match folder.record(name) {
