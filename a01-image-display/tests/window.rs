@@ -99,14 +99,15 @@ fn an_idle_window_has_one_thread_and_sleeps() {
             .find_map(|line| line.strip_prefix("voluntary_ctxt_switches:"));
         line.unwrap().trim().parse().unwrap()
     };
-    // Without the keyboard and two seconds after the last movement of the mouse, 10 times in a second,
-    // and twice for a request to the display.
+    // Two seconds after the last movement of the mouse, a window without the keyboard asks for events 10
+    // times in a second, and waits several times for each answer of the display. One that is used asks 60
+    // times, 120 in these two seconds.
     window.act("windowunmap --sync WINDOW");
     thread::sleep(Duration::from_secs(3));
     let before = waits();
     thread::sleep(Duration::from_secs(2));
     let waited = waits() - before;
-    assert!(waited <= 60, "it woke {waited} times");
+    assert!(waited < 120, "it woke {waited} times");
     let threads = process.join("task").read_dir().unwrap().count();
     assert_eq!(threads, 1);
 }
