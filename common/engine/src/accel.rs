@@ -3,7 +3,6 @@
 //! Every candidate is tested with its own formula, and only shapes are skipped that
 //! the ray cannot hit. So the result has the bits of a test of all shapes.
 
-mod any_hit;
 mod bvh;
 mod bvh_build;
 mod ids;
@@ -19,7 +18,6 @@ mod traverse;
 mod tree_space;
 
 use crate::shape::Bounds;
-pub(crate) use any_hit::AnyHitQuery;
 use bvh::Bvh;
 pub(crate) use ids::Kind;
 use ids::Leaf;

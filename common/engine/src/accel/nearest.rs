@@ -2,12 +2,12 @@
 
 use fearless_simd::prelude::*;
 
-use super::ids::{Kind, ShapeId};
+use super::ids::ShapeId;
 use super::query::Query;
-use super::shapes::{Shapes, with_list};
+use super::shapes::Shapes;
 use crate::Hit;
 use crate::lanes::{Lanes, PacketHit, RayPacket, bits, bits_of, lanes, mask, splat};
-use crate::shape::{List, Primitive, Rays};
+use crate::shape::Rays;
 
 /// The nearest hits of four rays.
 #[derive(Clone, Copy, Debug)]
@@ -97,14 +97,7 @@ impl<S: Simd> Query<S> for NearestQuery<S> {
 
     /// Without a branch for the nearest hit, because no processor can predict it.
     #[inline(always)]
-    fn update<P: Primitive>(
-        &mut self,
-        t: Lanes<S>,
-        order: u32,
-        shape: ShapeId,
-        _: impl FnOnce() -> P,
-        (): &mut (),
-    ) {
+    fn update(&mut self, t: Lanes<S>, order: u32, shape: ShapeId, _: &Shapes, (): &mut ()) {
         if bits_of(t.simd_le(self.t)) & self.rays.active == 0 {
             return;
         }
@@ -118,13 +111,13 @@ impl<S: Simd> Query<S> for NearestQuery<S> {
     }
 
     #[inline(always)]
-    fn update_ray<P: Primitive>(
+    fn update_ray(
         &mut self,
         lane: usize,
         t: f64,
         order: u32,
         shape: ShapeId,
-        _: impl FnOnce() -> P,
+        _: &Shapes,
         (): &mut (),
     ) {
         let nearest = &mut self.t[lane];
@@ -160,11 +153,8 @@ impl Shapes<'_> {
             let lane = left.trailing_zeros() as usize % 4;
             let same = bits_of(query.orders.simd_eq(query.orders[lane]));
             let shape = ShapeId::from_bits(query.shapes[lane]);
-            let (of_shape, surface) = with_list!(self, shape.kind, |list| {
-                let index = shape.index as usize;
-                let hits = list.shapes.get(index).hits(&query.rays, query.t, same);
-                (hits, list.attributes[index].surface)
-            });
+            let of_shape = self.hits_on(shape, &query.rays, query.t, same);
+            let surface = self.attributes(shape).surface;
             if hit_mask & !same == 0 {
                 hit = of_shape;
                 surfaces = [surface; 4];

@@ -1,8 +1,9 @@
 //! `Query`: four rays and the hits that they look for.
 
+use super::Shapes;
 use super::ids::ShapeId;
 use crate::lanes::{Lanes, Simd};
-use crate::shape::{Primitive, Rays};
+use crate::shape::Rays;
 
 /// A query for hits of four rays. It finds the same hits in any order of tests.
 pub(crate) trait Query<S: Simd> {
@@ -31,23 +32,23 @@ pub(crate) trait Query<S: Simd> {
 
     /// Takes the `t` at which the rays hit a shape with this position in the list of the scene;
     /// NaN without a hit.
-    fn update<P: Primitive>(
+    fn update(
         &mut self,
         t: Lanes<S>,
         order: u32,
         shape: ShapeId,
-        primitive: impl FnOnce() -> P,
+        shapes: &Shapes,
         shared: &mut Self::Shared,
     );
 
     /// Takes a hit of one ray, at most at its `t_max`.
-    fn update_ray<P: Primitive>(
+    fn update_ray(
         &mut self,
         lane: usize,
         t: f64,
         order: u32,
         shape: ShapeId,
-        primitive: impl FnOnce() -> P,
+        shapes: &Shapes,
         shared: &mut Self::Shared,
     );
 }

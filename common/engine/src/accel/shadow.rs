@@ -2,19 +2,20 @@
 
 use fearless_simd::prelude::*;
 
+use super::Shapes;
 use super::ids::ShapeId;
 use super::query::Query;
-use crate::lanes::{Lanes, PacketHit, RayPacket, bits_of, is_set, lanes};
-use crate::shape::{Primitive, Rays};
+use crate::lanes::{Lanes, PacketHit, RayPacket, bits_of, is_set, lanes, splat};
+use crate::shape::{Counts, Rays};
 
 /// The last shape that blocked the light of a source. The next shadow rays are tested against it
 /// first. (Haines and Greenberg, The Light Buffer, 1986: shadow caching.)
 pub(crate) type Occluder = Option<ShapeId>;
 
 /// A query for any hits of four shadow rays.
-pub(crate) struct ShadowQuery<S: Simd> {
+pub(crate) struct ShadowQuery<'q, S: Simd> {
     rays: Rays<S>,
-    /// The distances of the light.
+    /// The distances of the light, before which hits block it.
     distance: Lanes<S>,
     /// By as much the origins of the rays are offset.
     offset: Lanes<S>,
@@ -22,9 +23,11 @@ pub(crate) struct ShadowQuery<S: Simd> {
     pub unoccluded: u32,
     /// Whether a ray that has hit anything looks for no more.
     ends_at_first: bool,
+    /// Says which hits block the light, inside of an instance.
+    counts: Option<Counts<'q, S>>,
 }
 
-impl<S: Simd> ShadowQuery<S> {
+impl<'q, S: Simd> ShadowQuery<'q, S> {
     /// A query for the active of four rays, whose origins are offset, to a light at this
     /// distance.
     #[inline(always)]
@@ -35,6 +38,7 @@ impl<S: Simd> ShadowQuery<S> {
             offset,
             unoccluded: active,
             ends_at_first: true,
+            counts: None,
         }
     }
 
@@ -45,10 +49,37 @@ impl<S: Simd> ShadowQuery<S> {
         self
     }
 
+    /// The query inside of an instance, in whose space these rays are; the query outside says which
+    /// hits count.
+    pub fn inside(
+        packet: &RayPacket<S>,
+        distance: Lanes<S>,
+        active: u32,
+        counts: Counts<'q, S>,
+    ) -> Self {
+        let offset = splat(packet.simd(), 0.0);
+        Self {
+            counts: Some(counts),
+            ..Self::new(packet, offset, distance, active)
+        }
+    }
+
+    /// A bit for each ray whose hit certainly blocks the light, because it is far from the light.
+    #[inline(always)]
+    fn blocked_far_from_the_light(&self, t: Lanes<S>) -> u32 {
+        match self.counts {
+            Some(_) => 0,
+            None => bits_of(t.simd_lt(self.distance * (15.0 / 16.0))),
+        }
+    }
+
     /// A bit for each of these hits before the light that blocks it. Surfaces do not that hold the
     /// light, up to the rounding errors at both ends of the ray.
     #[inline(always)]
     fn blocked_by(&self, hit: &PacketHit<S>) -> u32 {
+        if let Some(counts) = self.counts {
+            return counts(hit);
+        }
         let rays = &self.rays.packet;
         let cosine = rays.direction.dot(hit.geometric_normal).abs();
         let beyond_the_surface = (self.distance - hit.t) * cosine;
@@ -57,7 +88,7 @@ impl<S: Simd> ShadowQuery<S> {
     }
 }
 
-impl<S: Simd> Query<S> for ShadowQuery<S> {
+impl<S: Simd> Query<S> for ShadowQuery<'_, S> {
     type Shared = Occluder;
 
     #[inline(always)]
@@ -85,30 +116,28 @@ impl<S: Simd> Query<S> for ShadowQuery<S> {
     }
 
     #[inline(always)]
-    fn update<P: Primitive>(
+    fn update(
         &mut self,
         t: Lanes<S>,
         _: u32,
         shape: ShapeId,
-        primitive: impl FnOnce() -> P,
+        shapes: &Shapes,
         occluder: &mut Occluder,
     ) {
         let hit = bits_of(t.simd_lt(self.distance)) & self.unoccluded;
         if hit == 0 {
             return;
         }
-        let far_from_the_light = t.simd_lt(self.distance * (15.0 / 16.0));
-        let mut blocked = hit & bits_of(far_from_the_light);
-        let near_the_light = hit & !blocked;
-        if near_the_light != 0 {
-            let primitive = primitive();
-            let hits = primitive.hits(&self.rays, t, near_the_light);
-            blocked |= near_the_light & self.blocked_by(&hits);
+        let mut blocked = hit & self.blocked_far_from_the_light(t);
+        let in_question = hit & !blocked;
+        if in_question != 0 {
+            let hits = shapes.hits_on(shape, &self.rays, t, in_question);
+            blocked |= in_question & self.blocked_by(&hits);
             let held = hit & !blocked;
             if held != 0 {
                 // Other parts of the shape may lie behind the one that holds the light.
                 let counts = |hit: &PacketHit<S>| self.blocked_by(hit);
-                blocked |= primitive.any_hit_of_parts(&self.rays, self.distance, held, &counts);
+                blocked |= shapes.any_hit_of_parts(shape, &self.rays, self.distance, held, &counts);
             }
         }
         if blocked != 0 {
@@ -118,20 +147,20 @@ impl<S: Simd> Query<S> for ShadowQuery<S> {
     }
 
     #[inline(always)]
-    fn update_ray<P: Primitive>(
+    fn update_ray(
         &mut self,
         lane: usize,
         t: f64,
         order: u32,
         shape: ShapeId,
-        primitive: impl FnOnce() -> P,
+        shapes: &Shapes,
         occluder: &mut Occluder,
     ) {
         if is_set(self.unoccluded, lane) {
             let mut of_lane = [f64::NAN; 4];
             of_lane[lane] = t;
             let t = lanes(self.distance.simd, of_lane);
-            self.update(t, order, shape, primitive, occluder);
+            self.update(t, order, shape, shapes, occluder);
         }
     }
 }

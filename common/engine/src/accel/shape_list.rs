@@ -3,9 +3,10 @@
 use common::steps::{self, StepKind};
 use fearless_simd::prelude::*;
 
+use super::Shapes;
 use super::ids::Leaf;
 use super::query::Query;
-use crate::lanes::{bits, bits_of, splat};
+use crate::lanes::{Lanes, Simd, bits, bits_of, splat};
 use crate::shape::{List, Primitive, Rays};
 
 /// Position of a shape in the list of the scene, which breaks ties, and the index of its
@@ -56,39 +57,27 @@ impl<L: List> ShapeList<L> {
         self.shapes.four(simd, [first, b, c, d])
     }
 
-    /// Tests the shapes of a leaf, side by side, against one ray, which is that of a lane of the
-    /// query.
+    /// The `t` at which one ray meets the shapes of a leaf, side by side, and a bit for each shape that it
+    /// meets at most at `t_max`.
     #[inline(never)]
-    pub(super) fn test_ray<S: Simd, Q: Query<S>>(
+    pub(super) fn test_ray<S: Simd>(
         &self,
         leaf: Leaf,
         ray: &Rays<S>,
-        query: &mut Q,
-        lane: usize,
-        shared: &mut Q::Shared,
-    ) {
+        t_max: f64,
+    ) -> (Lanes<S>, u32) {
         let simd = ray.packet.simd();
         simd.vectorize(
             #[inline(always)]
             || {
                 steps::count(StepKind::Test, leaf.count.into());
                 let active = (1 << leaf.count) - 1;
-                let t_max = splat(simd, query.t_max()[lane]);
+                let t_max = splat(simd, t_max);
                 let shapes = self.four(simd, leaf);
                 let t = <L::Shape<'_> as Primitive>::intersect_before(&shapes, ray, active, t_max);
-                let near = bits_of(t.simd_le(t_max)) & active;
-                if near == 0 {
-                    return;
-                }
-                for i in bits(near) {
-                    let shape = leaf.shape(i as u32);
-                    let index = shape.index as usize;
-                    let order = self.attributes[index].order;
-                    let primitive = || self.shapes.get(index);
-                    query.update_ray(lane, t[i], order, shape, primitive, shared);
-                }
+                (t, bits_of(t.simd_le(t_max)) & active)
             },
-        );
+        )
     }
 
     /// Tests the shapes of a leaf, one after the other, against the packets of these queries, a bit
@@ -96,6 +85,7 @@ impl<L: List> ShapeList<L> {
     #[inline(never)]
     pub(super) fn test_packets<S: Simd, Q: Query<S>>(
         &self,
+        shapes: &Shapes,
         leaf: Leaf,
         queries: &mut [Q],
         tested: u32,
@@ -116,8 +106,7 @@ impl<L: List> ShapeList<L> {
                             steps::count(StepKind::Test, active.count_ones().into());
                             let (rays, t_max) = (query.rays(), *query.t_max());
                             let t = <L::Shape<'_>>::intersect_before(&shape, rays, active, t_max);
-                            let primitive = || self.shapes.get(index);
-                            query.update(t, order, leaf.shape(i), primitive, shared);
+                            query.update(t, order, leaf.shape(i), shapes, shared);
                         }
                     }
                 }

@@ -2,8 +2,10 @@
 
 use super::ids::{Kind, ShapeId};
 use super::shape_list::{Attributes, ShapeList};
+use crate::lanes::{Lanes, PacketHit, Simd};
 use crate::shape::{
-    AxisAlignedBox, Bounds, Disc, List, Mesh, Other, Plane, Primitive, Shape, Sphere, Transformed,
+    AxisAlignedBox, Bounds, Counts, Disc, List, Mesh, Other, Plane, Primitive, Rays, Shape, Sphere,
+    Transformed,
 };
 
 /// All shapes of a scene.
@@ -91,6 +93,49 @@ impl<'a> Shapes<'a> {
     /// Order and surface of a shape.
     pub fn attributes(&self, id: ShapeId) -> Attributes {
         with_list!(self, id.kind, |list| list.attributes[id.index as usize])
+    }
+
+    /// The hits of four rays on a shape at these `t`, which its test has found in the active lanes.
+    #[inline(never)]
+    pub fn hits_on<S: Simd>(
+        &self,
+        shape: ShapeId,
+        rays: &Rays<S>,
+        t: Lanes<S>,
+        active: u32,
+    ) -> PacketHit<S> {
+        let index = shape.index as usize;
+        t.simd.vectorize(
+            #[inline(always)]
+            || {
+                with_list!(self, shape.kind, |list| list
+                    .shapes
+                    .get(index)
+                    .hits(rays, t, active))
+            },
+        )
+    }
+
+    /// [`Primitive::any_hit_of_parts`] of a shape.
+    #[inline(never)]
+    pub fn any_hit_of_parts<S: Simd>(
+        &self,
+        shape: ShapeId,
+        rays: &Rays<S>,
+        before: Lanes<S>,
+        active: u32,
+        counts: Counts<S>,
+    ) -> u32 {
+        let index = shape.index as usize;
+        before.simd.vectorize(
+            #[inline(always)]
+            || {
+                with_list!(self, shape.kind, |list| list
+                    .shapes
+                    .get(index)
+                    .any_hit_of_parts(rays, before, active, counts))
+            },
+        )
     }
 
     /// All shapes.

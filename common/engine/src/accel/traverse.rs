@@ -167,8 +167,17 @@ impl Accelerator<'_> {
                 let t_max = |query: &Q| tree.space.t_max(query.t_max()[lane] * length);
                 let first_t_max = t_max(query);
                 let mut visit = |leaf: Leaf| {
-                    with_list!(self.shapes, leaf.kind, |list| list
-                        .test_ray(leaf, &rays, query, lane, shared));
+                    let t_max_of_hits = query.t_max()[lane];
+                    let (t, near) = with_list!(self.shapes, leaf.kind, |list| list.test_ray(
+                        leaf,
+                        &rays,
+                        t_max_of_hits
+                    ));
+                    for i in bits(near) {
+                        let shape = leaf.shape(i as u32);
+                        let order = self.shapes.attributes(shape).order;
+                        query.update_ray(lane, t[i], order, shape, &self.shapes, shared);
+                    }
                     if !is_set(query.active(), lane) {
                         return ControlFlow::Break(());
                     }
@@ -205,8 +214,13 @@ impl Accelerator<'_> {
         shared: &mut Q::Shared,
     ) {
         if tested != 0 {
-            with_list!(self.shapes, leaf.kind, |list| list
-                .test_packets(leaf, queries, tested, shared));
+            with_list!(self.shapes, leaf.kind, |list| list.test_packets(
+                &self.shapes,
+                leaf,
+                queries,
+                tested,
+                shared
+            ));
         }
     }
 }

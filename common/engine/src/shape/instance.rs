@@ -10,7 +10,7 @@ use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use super::{Bounds, Counts, Primitive, Rays, Shape};
-use crate::accel::{Accelerator, AnyHitQuery, NearestQuery, Shapes};
+use crate::accel::{Accelerator, NearestQuery, ShadowQuery, Shapes};
 use crate::lanes::{Lanes, PacketHit, mask, no_hit, splat};
 
 /// Shapes that stand in several places. A clone shares them.
@@ -108,8 +108,8 @@ impl Primitive for &Instance<'_> {
         active: u32,
         counts: Counts<S>,
     ) -> u32 {
-        let mut query = AnyHitQuery::new(&rays.packet, before, active, counts);
-        self.0.accelerator.traverse_rays(&mut query, &mut ());
-        query.found(active)
+        let mut query = ShadowQuery::inside(&rays.packet, before, active, counts);
+        self.0.accelerator.traverse_rays(&mut query, &mut None);
+        active & !query.unoccluded
     }
 }

@@ -18,7 +18,7 @@ pub(crate) struct Batch<S: Simd> {
     pub(super) vertices: Vec<Vertex<S>>,
     /// The light of one source, and the index of the vertex that it may reach.
     pub(super) light: Vec<(usize, IlluminationPacket<S>)>,
-    pub(super) shadows: Vec<ShadowQuery<S>>,
+    pub(super) shadows: Vec<ShadowQuery<'static, S>>,
 }
 
 /// Four rays on their way from mirror to mirror.
