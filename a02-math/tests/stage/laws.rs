@@ -1,116 +1,129 @@
 //! Laws of all vectors and matrices, also of extremely long and short vectors.
-//!
-//! The same cases come every time; `PROPTEST_CASES=100000` makes more of them.
 
 use a02_math::{Direction, Mat3x3, Point3, Vector3};
 use approx::assert_abs_diff_eq;
-use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
-use testing::assert_refused;
+use testing::{Random, assert_refused, for_seeds};
 
-fn config() -> ProptestConfig {
-    ProptestConfig {
-        // A failure is printed, and repeats without a file that records it.
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(0),
-        ..ProptestConfig::default()
-    }
-}
+/// The number of cases of each law.
+const CASES: u64 = 1000;
 
 /// Of either sign, up to 2^30 and down to 2^-30 and 0.
-fn number() -> impl Strategy<Value = f64> {
-    let numbers = (-1.0..1.0, -30..=30).prop_map(|(x, exponent)| libm::scalbn(x, exponent));
-    prop_oneof![9 => numbers, 1 => Just(0.0)]
+fn number(random: &mut Random) -> f64 {
+    let exponent = random.below(61) as i32 - 30;
+    match random.below(10) {
+        0 => 0.0,
+        _ => libm::scalbn(random.between(-1.0, 1.0), exponent),
+    }
 }
 
 /// So small that products of six of them, and sums of these, are exact.
-fn whole() -> impl Strategy<Value = f64> {
-    (-100..=100).prop_map(f64::from)
+fn whole(random: &mut Random) -> f64 {
+    f64::from(random.below(201)) - 100.0
 }
 
-fn vector(number: impl Strategy<Value = f64>) -> impl Strategy<Value = Vector3> {
-    prop::array::uniform3(number).prop_map(|[x, y, z]| Vector3::new(x, y, z))
+fn vector(number: fn(&mut Random) -> f64, random: &mut Random) -> Vector3 {
+    Vector3::new(number(random), number(random), number(random))
 }
 
-fn direction() -> impl Strategy<Value = Vector3> {
-    vector(number()).prop_filter("no direction", |v| *v != Vector3::default())
+/// A vector that is not 0.
+fn direction(random: &mut Random) -> Vector3 {
+    loop {
+        let vector = vector(number, random);
+        if vector != Vector3::default() {
+            return vector;
+        }
+    }
 }
 
-fn matrix() -> impl Strategy<Value = Mat3x3> {
-    [(); 3]
-        .map(|()| prop::array::uniform3(whole()))
-        .prop_map(Mat3x3::from_rows)
+fn matrix(random: &mut Random) -> Mat3x3 {
+    Mat3x3::from_rows([(); 3].map(|()| [(); 3].map(|()| whole(random))))
 }
 
-fn scaled(v: Vector3, exponent: i32) -> Vector3 {
+/// The vector times a power of two, up to 2^900 and down to 2^-900.
+fn scaled(v: Vector3, random: &mut Random) -> Vector3 {
+    let exponent = random.below(1801) as i32 - 900;
     Vector3::from_glam(v.to_glam().map(|x| libm::scalbn(x, exponent)))
 }
 
-proptest! {
-    #![proptest_config(config())]
-
-    /// Tolerance: three rounded quotients and a rounded root.
-    #[test]
-    fn any_length_can_be_normalized(v in direction(), exponent in -900..=990) {
-        let unit = scaled(v, exponent).normalized().unwrap();
+/// Tolerance: three rounded quotients and a rounded root.
+#[test]
+fn any_length_can_be_normalized() {
+    for_seeds(CASES, |random| {
+        let v = direction(random);
+        let unit = scaled(v, random).normalized().unwrap();
         assert_abs_diff_eq!(unit.magnitude(), 1.0, epsilon = 4.0 * f64::EPSILON);
         assert_abs_diff_eq!(unit, v.normalized().unwrap(), epsilon = 4.0 * f64::EPSILON);
-    }
+    });
+}
 
-    /// Tolerance: relative to the length.
-    #[test]
-    fn reflecting_twice_changes_nothing_and_once_keeps_the_length(
-        v in direction(), n in direction(),
-    ) {
+/// Tolerance: relative to the length.
+#[test]
+fn reflecting_twice_changes_nothing_and_once_keeps_the_length() {
+    for_seeds(CASES, |random| {
+        let (v, n) = (direction(random), direction(random));
         let n = n.as_normal().normalized().unwrap();
         let reflected = v.reflected_on(n);
         let rounding = 8.0 * f64::EPSILON * v.magnitude();
         assert_abs_diff_eq!(reflected.magnitude(), v.magnitude(), epsilon = rounding);
         assert_abs_diff_eq!(reflected.reflected_on(n), v, epsilon = rounding);
         assert_abs_diff_eq!(reflected.dot(n), v.dot(n), epsilon = rounding);
-    }
+    });
+}
 
-    /// Tolerance: rounding of the projection, relative to the vector.
-    #[test]
-    fn the_rest_of_a_projection_is_perpendicular(a in direction(), b in direction()) {
+/// Tolerance: rounding of the projection, relative to the vector.
+#[test]
+fn the_rest_of_a_projection_is_perpendicular() {
+    for_seeds(CASES, |random| {
+        let (a, b) = (direction(random), direction(random));
         let rest = a - a.projected_on(b).unwrap();
         let scale = a.magnitude() * b.magnitude();
         assert_abs_diff_eq!(rest.dot(b), 0.0, epsilon = 4.0 * f64::EPSILON * scale);
-    }
+    });
+}
 
-    /// Grassmann: a × (b × c) = b (a · c) - c (a · b).
-    #[test]
-    fn a_double_cross_product_lies_between_its_inner_factors(
-        a in vector(whole()), b in vector(whole()), c in vector(whole()),
-    ) {
-        prop_assert_eq!(a.cross(b.cross(c)), b * a.dot(c) - c * a.dot(b));
-    }
+/// Grassmann: a × (b × c) = b (a · c) - c (a · b).
+#[test]
+fn a_double_cross_product_lies_between_its_inner_factors() {
+    for_seeds(CASES, |random| {
+        let [a, b, c] = [(); 3].map(|()| vector(whole, random));
+        assert_eq!(a.cross(b.cross(c)), b * a.dot(c) - c * a.dot(b));
+    });
+}
 
-    #[test]
-    fn an_angle_does_not_depend_on_lengths(
-        a in vector(number()), b in vector(number()), k in -900..=900, l in -900..=900,
-    ) {
-        let (longer, other) = (scaled(a, k), scaled(b, l));
-        prop_assert_eq!(longer.angle(other).to_bits(), a.angle(b).to_bits());
-        prop_assert_eq!(other.angle(longer).to_bits(), a.angle(b).to_bits());
-    }
+#[test]
+fn an_angle_does_not_depend_on_lengths() {
+    for_seeds(CASES, |random| {
+        let [a, b] = [(); 2].map(|()| vector(number, random));
+        let [longer, other] = [a, b].map(|v| scaled(v, random));
+        assert_eq!(longer.angle(other).to_bits(), a.angle(b).to_bits());
+        assert_eq!(other.angle(longer).to_bits(), a.angle(b).to_bits());
+    });
+}
 
-    /// Laplace: the determinant is linear in each column.
-    #[test]
-    fn a_determinant_is_linear_in_a_column(
-        m in matrix(), a in vector(whole()), b in vector(whole()), s in whole(),
-    ) {
-        for with in [Mat3x3::change_col_1, Mat3x3::change_col_2, Mat3x3::change_col_3] {
+/// Laplace: the determinant is linear in each column.
+#[test]
+fn a_determinant_is_linear_in_a_column() {
+    for_seeds(CASES, |random| {
+        let (m, s) = (matrix(random), whole(random));
+        let [a, b] = [(); 2].map(|()| vector(whole, random));
+        for with in [
+            Mat3x3::change_col_1,
+            Mat3x3::change_col_2,
+            Mat3x3::change_col_3,
+        ] {
             let det = |column| with(m, column).determinant();
-            prop_assert_eq!(det(a + b), det(a) + det(b));
-            prop_assert_eq!(det(a * s), det(a) * s);
+            assert_eq!(det(a + b), det(a) + det(b));
+            assert_eq!(det(a * s), det(a) * s);
         }
-    }
+    });
+}
 
-    #[test]
-    fn determinants_multiply(a in matrix(), b in matrix()) {
-        prop_assert_eq!((a * b).determinant(), a.determinant() * b.determinant());
-    }
+#[test]
+fn determinants_multiply() {
+    for_seeds(CASES, |random| {
+        let (a, b) = (matrix(random), matrix(random));
+        assert_eq!((a * b).determinant(), a.determinant() * b.determinant());
+    });
 }
 
 #[test]

@@ -13,13 +13,9 @@ pub mod line;
 pub mod mesh;
 pub mod number;
 pub mod protocol;
-pub mod random_scene;
 pub mod rows;
-pub mod same_hits;
-pub mod same_pictures;
 pub mod subject;
 pub mod support;
-pub mod test_shapes;
 
 use measure::Laboratory;
 

@@ -4,7 +4,7 @@
 
 use a04_intersections::AxisAlignedBox;
 
-use a04_lab::test_shapes::{Case, assert_hits, point};
+use crate::test_shapes::{Case, assert_hits, point};
 
 /// Three zeros, but for `value` at `axis`.
 fn along(axis: usize, value: f64) -> [f64; 3] {

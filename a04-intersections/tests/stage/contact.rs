@@ -6,7 +6,7 @@
 use a02_math::Direction;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Sphere, Triangle};
 
-use a04_lab::test_shapes::{point, ray, vector};
+use crate::test_shapes::{point, ray, vector};
 
 /// An interval that begins just before the origin.
 const FROM_ORIGIN: Interval = Interval {

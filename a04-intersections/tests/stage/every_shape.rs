@@ -7,7 +7,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
 use testing::assert_refused;
 
-use a04_lab::test_shapes::{hit, point, random_ray, random_shape, ray};
+use crate::test_shapes::{hit, point, random_ray, random_shape, ray};
 
 const Z: Normal3 = Normal3::new(0.0, 0.0, 1.0);
 

@@ -6,7 +6,7 @@ use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Interval, Sphere};
 use approx::assert_abs_diff_eq;
 
-use a04_lab::test_shapes::{point, random_vector};
+use crate::test_shapes::{point, random_vector};
 
 /// Bound: 4 eps of the distance or the radius, whichever is greater, for the
 /// formula, and as much for the direction, for `at` and for checking. Along the

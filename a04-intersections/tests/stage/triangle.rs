@@ -4,11 +4,10 @@
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Triangle};
-use a04_lab::support::Numbers;
 use approx::assert_abs_diff_eq;
-use testing::assert_refused;
+use testing::{Random, assert_refused};
 
-use a04_lab::test_shapes::{assert_hits, eighths, hit, point, ray};
+use crate::test_shapes::{assert_hits, eighths, hit, point, ray};
 
 const X: Normal3 = Normal3::new(1.0, 0.0, 0.0);
 const Y: Normal3 = Normal3::new(0.0, 1.0, 0.0);
@@ -49,9 +48,9 @@ fn corners_and_edges_belong_to_it_and_both_sides_are_seen() {
 }
 
 /// A triangle of eighths, exact.
-fn any_triangle(numbers: &mut Numbers) -> ([Point3; 3], Triangle) {
+fn any_triangle(random: &mut Random) -> ([Point3; 3], Triangle) {
     let mut triangles = std::iter::repeat_with(|| {
-        let [a, b, c] = [(); 3].map(|()| eighths(numbers));
+        let [a, b, c] = [(); 3].map(|()| eighths(random));
         Some(([a, b, c], Triangle::new(a, b, c).ok()?))
     });
     triangles.find_map(|triangle| triangle).unwrap()
@@ -65,10 +64,10 @@ fn any_triangle(numbers: &mut Numbers) -> ([Point3; 3], Triangle) {
 fn triangles_in_any_position_are_hit_where_the_ray_aims() {
     let mut hits = 0;
     for n in 0..20_000 {
-        let numbers = &mut Numbers::new(9, n);
-        let ([a, b, c], triangle) = any_triangle(numbers);
-        let eye = eighths(numbers);
-        let [beta, gamma] = [(); 2].map(|()| numbers.below(4) as f64 / 8.0 + 0.0625);
+        let random = &mut Random::new(n);
+        let ([a, b, c], triangle) = any_triangle(random);
+        let eye = eighths(random);
+        let [beta, gamma] = [(); 2].map(|()| f64::from(random.below(4)) / 8.0 + 0.0625);
         let to_aim = a + (b - a) * beta + (c - a) * gamma - eye;
         let across = (b - a).cross(c - a);
         let Ok(ray) = Ray::new(eye, to_aim) else {
@@ -78,7 +77,7 @@ fn triangles_in_any_position_are_hit_where_the_ray_aims() {
         if determinant < 1e-3 {
             continue;
         }
-        let normals = [[X, Y, Z], [X, X, Z], [Z, X, X], [-Y; 3]][n % 4];
+        let normals = [[X, Y, Z], [X, X, Z], [Z, X, X], [-Y; 3]][n as usize % 4];
         let [na, nb, nc] = normals;
         let smooth = triangle.with_normals([na * 1e-200, nb * 0.5, nc * 1e200]);
         let found = hit(&smooth.unwrap(), &ray).unwrap_or_else(|| panic!("{triangle:?} {ray:?}"));
@@ -153,10 +152,10 @@ fn passes_beside([px, py]: [i32; 2], [qx, qy]: [i32; 2]) -> bool {
 #[test]
 fn rays_in_the_plane_beside_a_triangle_miss_it() {
     for n in 0..10_000 {
-        let numbers = &mut Numbers::new(41, n);
-        let ([a, b, c], triangle) = any_triangle(numbers);
+        let random = &mut Random::new(n);
+        let ([a, b, c], triangle) = any_triangle(random);
         for _ in 0..50 {
-            let [p, q] = [(); 2].map(|()| [(); 2].map(|()| numbers.below(33) as i32 - 16));
+            let [p, q] = [(); 2].map(|()| [(); 2].map(|()| random.below(33) as i32 - 16));
             if passes_beside(p, q) {
                 let [p, q] = [p, q]
                     .map(|[x, y]| a + ((b - a) * f64::from(x) + (c - a) * f64::from(y)) * 0.25);
@@ -175,9 +174,9 @@ fn rays_in_the_plane_hit_edges_and_corners_where_they_are() {
     const ROUNDING: f64 = 64.0 * 16.0 * f64::EPSILON;
     let (mut along_edges, mut through_corners) = (0, 0);
     for n in 0..20_000 {
-        let numbers = &mut Numbers::new(42, n);
-        let ([a, b, c], triangle) = any_triangle(numbers);
-        let fraction = (numbers.below(33) as f64 - 16.0) / 4.0;
+        let random = &mut Random::new(n);
+        let ([a, b, c], triangle) = any_triangle(random);
+        let fraction = (f64::from(random.below(33)) - 16.0) / 4.0;
         for (from, to, third) in [(a, b, c), (b, c, a), (c, a, b)] {
             let along: Vector3 = to - from;
             let aside = along + (third - from) * fraction;

@@ -6,7 +6,7 @@ use a04_intersections::{Geometry, Hit, Interval, Sphere, World};
 use common::Color;
 use testing::assert_refused;
 
-use a04_lab::test_shapes::{point, random_ray, random_shape, ray};
+use crate::test_shapes::{point, random_ray, random_shape, ray};
 
 fn empty<S>() -> World<S> {
     World::new(Color::BLUE).unwrap()

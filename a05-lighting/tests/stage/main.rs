@@ -2,7 +2,6 @@
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
-mod extreme_scenes;
 mod lights;
 mod materials;
 mod refusals;

@@ -10,7 +10,6 @@ pub mod lit_points;
 mod mirrors;
 pub mod policy;
 pub mod protocol;
-pub mod random_scene;
 pub mod surface;
 
 use measure::Laboratory;

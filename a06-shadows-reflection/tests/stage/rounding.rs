@@ -6,9 +6,8 @@ use std::fs;
 use std::path::Path;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
+use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Interval, Plane, Sphere, Triangle, World};
-use a04_lab::support::Numbers;
 use a05_lighting::Illumination;
 use a06_shadows_reflection::{is_shadowed, secondary_ray, stage};
 use common::{Color, Renderer, Scene, Settings, Transfer};
@@ -97,23 +96,29 @@ fn shades_itself(corners: [Point3; 3], [eye, target]: [Point3; 2], light: Vector
     (!is_grazing).then(|| triangle.hit(&leaving, Interval::AHEAD).is_some())
 }
 
+/// The random vector of this number, of coordinates from `-width` to `width`.
+fn vector(random: PixelRandom, number: u64, width: f64) -> Vector3 {
+    let [x, y, z] = [0, 1, 2].map(|i| width * (2.0 * random.uniform(3 * number + i) - 1.0));
+    Vector3::new(x, y, z)
+}
+
 /// Leaning, and perpendicular to an axis.
 #[test]
 fn needles_of_all_widths_do_not_shade_themselves() {
     for width in [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let mut answers = [0; 2];
         for n in 0..20_000 {
-            let numbers = &mut Numbers::new(5, n);
-            let (mut along, mut across) = (numbers.triple(-1.0, 1.0), numbers.triple(-1.0, 1.0));
+            let random = PixelRandom::new(5, n, 0);
+            let (mut along, mut across) = (vector(random, 0, 1.0), vector(random, 1, 1.0));
             if n % 2 == 0 {
                 (along, across) = (Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 0.0, 1.0));
             }
-            let a = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
-            let tip = along * numbers.between(0.0, 1.0) + across * width;
-            let [beta, gamma] = [0; 2].map(|_| numbers.between(0.0, 0.5));
+            let a = Point3::ORIGIN + vector(random, 2, 1.0);
+            let tip = along * random.uniform(20) + across * width;
+            let [beta, gamma] = [21, 22].map(|i| 0.5 * random.uniform(i));
             let target = a + along * beta + tip * gamma;
-            let eye = target + numbers.triple(-3.0, 3.0);
-            let light = numbers.triple(-1.0, 1.0);
+            let eye = target + vector(random, 3, 3.0);
+            let light = vector(random, 4, 1.0);
             let shades = shades_itself([a, a + along, a + tip], [eye, target], light);
             if let Some(shades) = shades {
                 answers[usize::from(shades)] += 1;
@@ -141,9 +146,11 @@ fn a_roof_blocks_a_lamp_above_it() {
             .with(roof, ());
         for (height, expected) in [(-above, false), (0.0, false), (above, true)] {
             for n in 0..1_000 {
-                let numbers = &mut Numbers::new(6, n);
-                let eye = at(numbers.between(-1.0, 1.0), 1.5, numbers.between(-1.0, 1.0));
-                let target = at(numbers.between(-4.0, 4.0), 0.0, numbers.between(-4.0, 4.0));
+                let random = PixelRandom::new(6, n, 0);
+                let [x, z] = [0, 1].map(|i| 2.0 * random.uniform(i) - 1.0);
+                let eye = at(x, 1.5, z);
+                let [x, z] = [2, 3].map(|i| 8.0 * random.uniform(i) - 4.0);
+                let target = at(x, 0.0, z);
                 let ray = Ray::new(eye, target - eye).unwrap();
                 let hit = floor.hit(&ray, Interval::AHEAD).unwrap();
                 let lamp = at(0.5, 3.0 + height, 0.0);

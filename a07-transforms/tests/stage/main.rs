@@ -1,15 +1,13 @@
-//! Tests of the transforms, nodes and discs of this stage, of scene files, and of the engine
-//! against the lesson.
+//! Tests of the transforms, nodes and discs of this stage, of scene files, and of the programs of all
+//! stages that trace rays.
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod adaptive;
 mod dahlia;
 mod deep_reflections;
-mod engine;
 mod explained;
 mod export;
-mod extreme_scenes;
 mod lamps_on_groups;
 mod levels;
 mod node;

@@ -3,13 +3,28 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use a02_math::{Direction, Normal3, Point3};
+use a02_math::arrays::{point, vector};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
+use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
 use a07_transforms::{Node, Transform};
 use approx::assert_abs_diff_eq;
+use testing::Random;
 
-use a04_lab::test_shapes::{hit, point, random_ray, random_shape, random_vector, ray};
+/// A ray whose direction keeps its length.
+fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
+    Ray::derived(point(o), vector(d))
+}
+
+/// The nearest hit of a shape ahead of the ray's origin.
+fn hit(shape: &dyn Geometry, ray: &Ray) -> Option<Hit> {
+    shape.hit(ray, Interval::AHEAD)
+}
+
+/// A vector of three random numbers from `-width` to `width`.
+fn random_vector(random: PixelRandom, first: u64, width: f64) -> Vector3 {
+    vector([0, 1, 2].map(|i| width * (2.0 * random.uniform(first + i) - 1.0)))
+}
 
 fn unit_sphere() -> Sphere {
     Sphere::new(Point3::ORIGIN, 1.0).unwrap()
@@ -109,18 +124,23 @@ fn extreme_shapes_can_be_brought_to_a_common_size() {
 fn the_nearest_child_is_hit_in_any_order() {
     let mut hits = 0;
     for n in 0..2000 {
-        let (random, ray) = (PixelRandom::new(21, n, 0), random_ray(n));
-        let [min, length] = [4.0, 24.0].map(|width| width * random.uniform(width as u64));
+        let random = &mut Random::new(n);
+        let (from, to) = (random.triple(8.0), random.triple(2.0));
+        let ray = Ray::new(point(from), point(to) - point(from)).unwrap();
+        let min = random.between(0.0, 4.0);
         let within = Interval {
             min,
-            max: min + length,
+            max: min + random.between(0.0, 24.0),
         };
-        let count = n % 8;
-        let child = |turn: u32| {
-            let (number, size) = (turn % count.div_ceil(2), 1.0 + f64::from(turn % 3));
+        let count = n as usize % 8;
+        let spheres = (0..count).map(|_| (point(random.triple(2.0)), random.between(0.1, 1.1)));
+        let spheres: Vec<_> = spheres.collect();
+        let child = |turn: usize| {
+            let (center, radius) = spheres[turn % count.div_ceil(2)];
+            let size = 1.0 + (turn % 3) as f64;
             let transform = Transform::IDENTITY.rotate_x(size).unwrap();
-            let shape = random_shape(10 * n + number);
-            Node::new(transform.scale(size, 1.0, size).unwrap()).with(shape)
+            let sphere = Sphere::new(center, radius).unwrap();
+            Node::new(transform.scale(size, 1.0, size).unwrap()).with(sphere)
         };
         let alone = |turn| Node::new(Transform::IDENTITY).with(child(turn));
         let found = (0..count).filter_map(|turn| alone(turn).hit(&ray, within));

@@ -1,11 +1,10 @@
 //! Arguments that transforms and discs refuse. Each step, the inverse of a chain, and the rim of a disc
 //! are held by the extreme cases B12 to B22 and G01 to G32 and by exercises.
 
+use a02_math::arrays::point;
 use a02_math::{Normal3, Point3};
 use a07_transforms::{Disc, Transform};
 use testing::assert_refused;
-
-use a04_lab::test_shapes::point;
 
 const START: Transform = Transform::IDENTITY;
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);

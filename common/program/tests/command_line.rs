@@ -10,9 +10,7 @@ use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, pictur
 use measure::Laboratory;
 use measure::extremes::{Case, Number};
 use program::{Gallery, NotShown, run_with};
-use proptest::prelude::*;
-use proptest::sample::select;
-use proptest::test_runner::{RngSeed, TestRunner};
+use testing::{Random, for_seeds};
 
 /// Set in the process that runs the programs: their messages are not output of a test,
 /// and they write into the current folder.
@@ -37,27 +35,18 @@ fn run_many() {
     let place = folder.path().join("place");
     fs::create_dir(&place).expect("a folder");
     env::set_current_dir(&place).expect("a folder");
-    let config = ProptestConfig {
-        cases: 1000,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(0),
-        ..ProptestConfig::default()
-    };
-    let run = |arguments: Vec<String>| {
-        let line = ["a00".to_owned()].into_iter().chain(arguments);
+    for_seeds(1000, |random| {
+        let line = ["a00".to_owned()].into_iter().chain(arguments(random));
         let line: Vec<_> = line.map(with_bytes).collect();
         let documented = [0, 1, 2].map(ExitCode::from);
         for code in [
             run_with(&stage(), Some(look), line.clone()),
-            measure::run_with(&laboratory(), line),
+            measure::run_with(&laboratory(), line.clone()),
         ] {
-            assert!(documented.contains(&code), "{code:?}");
+            assert!(documented.contains(&code), "{code:?} for {line:?}");
         }
         clear(folder.path(), &place);
-        Ok(())
-    };
-    let tested = TestRunner::new(config).run(&arguments(), run);
-    tested.unwrap_or_else(|failure| panic!("{failure}"));
+    });
 }
 
 const COMMANDS: &str = "| list | show traced | show opened --no-window | show cube | render painted
@@ -73,27 +62,34 @@ const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --th
 const VALUES: &str = "0 1 4 -1 3x2 32768x32768 32769x1 1/510 1e-300 0/0 nan/0 inf center regular
     random stratified srgb a.png .. here \u{1F}a 1000001 4294967296 18446744073709551615";
 
-/// One of these words.
-fn word(words: &'static str) -> impl Strategy<Value = String> {
-    select(words.split_whitespace().collect::<Vec<_>>()).prop_map_into()
+/// One of these words, or in one of ten cases any text without a separator that could lead out of the
+/// folder.
+fn word(words: &str, random: &mut Random) -> String {
+    if random.below(10) == 0 {
+        let letters = (0..random.below(6)).filter_map(|_| match random.below(3) {
+            0 => Some('-'),
+            _ => char::from_u32(random.below(0x300)),
+        });
+        return letters.filter(|letter| !"/\\:".contains(*letter)).collect();
+    }
+    let words: Vec<_> = words.split_whitespace().collect();
+    words[random.below(words.len() as u32) as usize].to_owned()
 }
 
-/// A command with up to four flags, most of them known and with a value. No argument has
-/// a separator that could lead out of the folder.
-fn arguments() -> impl Strategy<Value = Vec<String>> {
-    let flag = prop_oneof![9 => word(FLAGS), 1 => "-{0,2}[^/\\\\:]{0,5}"];
-    let value = prop_oneof![9 => word(VALUES), 1 => "[^/\\\\:]{0,5}"];
-    let pair = (flag, value, 0..3).prop_map(|(flag, value, form)| match form {
-        0 => vec![flag],
-        1 => vec![format!("{flag}={value}")],
-        _ => vec![flag, value],
-    });
-    let flags = proptest::collection::vec(pair, 0..=4);
+/// A command with up to four flags, most of them known and with a value.
+fn arguments(random: &mut Random) -> Vec<String> {
     let commands: Vec<_> = COMMANDS.split('|').collect();
-    (select(commands), flags).prop_map(|(command, flags)| {
-        let command = command.split_whitespace().map(str::to_owned);
-        command.chain(flags.concat()).collect()
-    })
+    let command = commands[random.below(commands.len() as u32) as usize];
+    let mut arguments: Vec<_> = command.split_whitespace().map(str::to_owned).collect();
+    for _ in 0..random.below(5) {
+        let (flag, value) = (word(FLAGS, random), word(VALUES, random));
+        match random.below(3) {
+            0 => arguments.push(flag),
+            1 => arguments.push(format!("{flag}={value}")),
+            _ => arguments.extend([flag, value]),
+        }
+    }
+    arguments
 }
 
 /// The argument; the control character 0x1F becomes a byte that is no text.

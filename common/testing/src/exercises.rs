@@ -30,11 +30,11 @@ mod missing;
 mod program;
 #[cfg(not(target_family = "wasm"))]
 mod prove;
-mod random;
 #[cfg(not(target_family = "wasm"))]
 mod student;
 
 pub use self::exercise::{CodeQuestion, Exercise, Picture, Questions, Variant, all};
+pub use crate::random::{Random, random};
 pub use ::exercise::{Answer, Input, assert_close, input};
 pub use common::ArgumentError;
 pub use folder::StageFolder;
@@ -45,7 +45,6 @@ pub use missing::missing;
 pub(crate) use missing::{Missing, take_missing};
 #[cfg(not(target_family = "wasm"))]
 pub use prove::{Codes, Entry, prove};
-pub use random::{Random, random};
 #[cfg(not(target_family = "wasm"))]
 pub use student::judge;
 

@@ -1,7 +1,6 @@
 //! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
-//! with locked ones, [`check_lab!`] checks its experiments and extreme cases,
-//! [`exercises!`] proves the exercises and judges students' files, [`assert_refused`] checks the error of a
-//! constructor, and `display` is for tests of the window.
+//! with locked ones, [`exercises!`] proves the exercises and judges students' files, [`Random`] gives random
+//! inputs, [`assert_refused`] checks the error of a constructor, and `display` is for tests of the window.
 //!
 //! Only tests depend on this crate, so that no program contains test code. Its checks
 //! fail by a panic.
@@ -17,10 +16,10 @@
 pub mod display;
 pub mod exercises;
 #[cfg(not(target_family = "wasm"))]
-mod lab;
-#[cfg(not(target_family = "wasm"))]
 pub mod picture_lock;
+mod random;
 mod refusal;
 
 pub use exercises::{assert_close, missing};
+pub use random::{Random, for_seeds};
 pub use refusal::assert_refused;

@@ -19,7 +19,7 @@ pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use left_out::check_book;
 pub use program_run::check_program;
 
-/// The paths of the test crate and its files; [`test_paths!`](crate::test_paths) fills them in.
+/// The paths of a stage's tests.
 pub struct TestPaths {
     /// The folder of the stage's crate.
     pub stage: &'static str,
@@ -35,18 +35,6 @@ impl TestPaths {
             .join("../book/src/pictures")
             .join(name)
     }
-}
-
-/// The paths of the crate that calls it.
-#[macro_export]
-macro_rules! test_paths {
-    () => {
-        $crate::picture_lock::TestPaths {
-            stage: env!("CARGO_MANIFEST_DIR"),
-            scratch: env!("CARGO_TARGET_TMPDIR"),
-            program: env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME"))),
-        }
-    };
 }
 
 /// Writes a lock for each scene of a stage, with its name, and a test that no scene is
@@ -77,7 +65,11 @@ macro_rules! lock_scenes {
 #[macro_export]
 macro_rules! lock_pictures {
     ($stage:expr; $($scene:ident)+) => {
-        const TEST_PATHS: $crate::picture_lock::TestPaths = $crate::test_paths!();
+        const TEST_PATHS: $crate::picture_lock::TestPaths = $crate::picture_lock::TestPaths {
+            stage: env!("CARGO_MANIFEST_DIR"),
+            scratch: env!("CARGO_TARGET_TMPDIR"),
+            program: env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME"))),
+        };
 
         $crate::lock_scenes! { every_scene_is_locked: $stage; $($scene)+ }
 

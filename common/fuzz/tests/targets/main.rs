@@ -7,19 +7,7 @@ use std::fs;
 use a07_transforms::kinds::example_files;
 use arbitrary::Unstructured;
 use fuzz::{images, scene_files, scenes};
-use proptest::collection::vec;
-use proptest::prelude::*;
-use proptest::sample::{Index, select};
-use proptest::test_runner::RngSeed;
-
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(0),
-        ..ProptestConfig::default()
-    }
-}
+use testing::{Random, for_seeds};
 
 /// The files of `seeds/images`, in the same order on every system.
 fn seeds() -> Vec<Vec<u8>> {
@@ -66,46 +54,27 @@ fn binary_ply(encoding: &str, to_bytes: fn(i16) -> [u8; 2]) -> Vec<u8> {
     bytes
 }
 
-/// A change of some bytes.
-#[derive(Clone, Debug)]
-struct Change {
-    kind: ChangeKind,
-    at: Index,
-    /// A byte, or a length.
-    value: u8,
-}
+/// Bytes with which lengths and signs change most.
+const EXTREMES: [u8; 6] = [0, 1, 0x7F, 0x80, 0xFE, 0xFF];
 
-#[derive(Clone, Copy, Debug)]
-enum ChangeKind {
-    Truncate,
-    Remove,
-    Insert,
-    Replace,
-}
-
-/// Any change. Half of them replace a byte.
-fn change() -> impl Strategy<Value = Change> {
-    use ChangeKind::{Insert, Remove, Replace, Truncate};
-    let kind = select(vec![Truncate, Remove, Insert, Replace, Replace, Replace]);
-    // Bytes with which lengths and signs change most.
-    let extremes = select(vec![0, 1, 0x7F, 0x80, 0xFE, 0xFF]);
-    let value = prop_oneof![extremes, any::<u8>()];
-    (kind, any::<Index>(), value).prop_map(|(kind, at, value)| Change { kind, at, value })
-}
-
-fn changed(mut bytes: Vec<u8>, changes: &[Change]) -> Vec<u8> {
-    for change in changes {
-        let at = change.at.index(bytes.len() + 1);
-        match change.kind {
-            ChangeKind::Truncate => bytes.truncate(at),
-            ChangeKind::Remove => {
-                let end = at + 1 + usize::from(change.value % 16);
+/// The bytes with up to eight changes, half of which replace a byte.
+fn changed(mut bytes: Vec<u8>, random: &mut Random) -> Vec<u8> {
+    for _ in 0..random.below(9) {
+        let at = random.below(bytes.len() as u32 + 1) as usize;
+        let byte = match random.below(2) {
+            0 => EXTREMES[random.below(6) as usize],
+            _ => random.below(256) as u8,
+        };
+        match random.below(6) {
+            0 => bytes.truncate(at),
+            1 => {
+                let end = at + 1 + usize::from(byte % 16);
                 bytes.drain(at..end.min(bytes.len()));
             }
-            ChangeKind::Insert => bytes.insert(at, change.value),
-            ChangeKind::Replace => {
-                if let Some(byte) = bytes.get_mut(at) {
-                    *byte = change.value;
+            2 => bytes.insert(at, byte),
+            _ => {
+                if let Some(replaced) = bytes.get_mut(at) {
+                    *replaced = byte;
                 }
             }
         }
@@ -113,51 +82,56 @@ fn changed(mut bytes: Vec<u8>, changes: &[Change]) -> Vec<u8> {
     bytes
 }
 
-proptest! {
-    #![proptest_config(config(10_000))]
-
-    #[test]
-    fn pictures_do_no_harm(seed in select(seeds()), changes in vec(change(), 0..=8)) {
-        images::check(&changed(seed, &changes));
-    }
+/// Fewer bytes than these, each any byte.
+fn any_bytes(end: u32, random: &mut Random) -> Vec<u8> {
+    let count = random.below(end);
+    (0..count).map(|_| random.below(256) as u8).collect()
 }
 
-proptest! {
-    #![proptest_config(config(3000))]
+#[test]
+fn pictures_do_no_harm() {
+    let seeds = seeds();
+    for_seeds(10_000, |random| {
+        let seed = seeds[random.below(seeds.len() as u32) as usize].clone();
+        images::check(&changed(seed, random));
+    });
+}
 
-    #[test]
-    fn scene_files_do_no_harm(changes in vec(change(), 0..=8)) {
+#[test]
+fn scene_files_do_no_harm() {
+    for_seeds(3000, |random| {
         let example = example_files::SHAPES.as_bytes().to_vec();
-        scene_files::check(&changed(example, &changes));
-    }
-
-    #[test]
-    fn meshes_do_no_harm(mesh in select(meshes()), changes in vec(change(), 0..=8)) {
-        scene_files::check(&changed(mesh, &changes));
-    }
-
-    #[test]
-    fn scenes_do_no_harm(bytes in vec(any::<u8>(), 0..1000)) {
-        scenes::check(&bytes);
-    }
+        scene_files::check(&changed(example, random));
+    });
 }
 
-proptest! {
-    #![proptest_config(config(1000))]
-
-    #[test]
-    fn structures_of_scene_files_do_no_harm(bytes in vec(any::<u8>(), 0..1000)) {
-        scene_files::check_structure(&bytes);
-    }
+#[test]
+fn meshes_do_no_harm() {
+    let meshes = meshes();
+    for_seeds(3000, |random| {
+        let mesh = meshes[random.below(meshes.len() as u32) as usize].clone();
+        scene_files::check(&changed(mesh, random));
+    });
 }
 
-proptest! {
-    #![proptest_config(config(20_000))]
+#[test]
+fn scenes_do_no_harm() {
+    for_seeds(3000, |random| scenes::check(&any_bytes(1000, random)));
+}
 
-    /// Every result of a constructor agrees with its documentation. Too few bytes end the
-    /// check early.
-    #[test]
-    fn numbers_do_no_harm(bytes in vec(any::<u8>(), 0..400)) {
+#[test]
+fn structures_of_scene_files_do_no_harm() {
+    for_seeds(1000, |random| {
+        scene_files::check_structure(&any_bytes(1000, random));
+    });
+}
+
+/// Every result of a constructor agrees with its documentation. Too few bytes end the
+/// check early.
+#[test]
+fn numbers_do_no_harm() {
+    for_seeds(20_000, |random| {
+        let bytes = any_bytes(400, random);
         let _ = numbers::check(&mut Unstructured::new(&bytes));
-    }
+    });
 }

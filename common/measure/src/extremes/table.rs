@@ -29,8 +29,8 @@ fn begins(case: &Case, name: &str) -> bool {
     id.len() >= name.len() && id[..name.len()].eq_ignore_ascii_case(name)
 }
 
-/// Checks a stage's table in a test: it has rows, each of them holds, and each states its condition or why
-/// there is none. A test of the last stage checks that no id occurs twice.
+/// Checks tables in a test: they have rows, each of them holds, and each states its condition or why there is
+/// none.
 ///
 /// # Panics
 ///

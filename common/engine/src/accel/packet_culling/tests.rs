@@ -1,5 +1,5 @@
 //! Tests of `packet_culling`. That bundles and packets bound their rays is seen by the comparison of
-//! random worlds with the lesson in stages 4 to 7.
+//! random worlds with the lesson, `random_worlds` of the last laboratory.
 
 use crate::accel::bvh::{Child, Node};
 use crate::accel::bvh_build;

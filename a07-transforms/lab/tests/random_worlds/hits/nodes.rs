@@ -1,15 +1,15 @@
-//! The engine hits transformed shapes and discs as the lesson's nodes do, to the last bit, in
-//! random worlds.
+//! The engine hits transformed shapes and discs as the lesson's nodes do, to the last bit.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::Shared;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, Triangle, World};
-use a04_lab::same_hits::compare;
 use a04_lab::support::Numbers;
 use a07_transforms::kinds::KINDS;
 use a07_transforms::{Disc, Mat4x4, Node, Transform};
 use common::{ArgumentError, Color};
+
+use crate::same_hits::compare;
 
 /// A shape of a student's own.
 #[derive(Debug)]

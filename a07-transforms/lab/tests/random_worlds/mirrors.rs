@@ -1,17 +1,50 @@
-//! All renderers draw the same pictures of random scenes of extreme numbers, after shadows and
-//! mirrors.
-//!
-//! `RANDOM_SCENES=6000 cargo test --release -p a06-shadows-reflection --test stage extreme` compares thousands, in minutes.
+//! Extreme scenes of stage 6: surfaces that mirror, lights that cast shadows, and hits whose numbers are none.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::{Ray, View};
 use a04_intersections::{Geometry, Hit, Interval, Sphere};
-use a04_lab::random_scene::Place;
-use a04_lab::same_pictures::compare_scenes;
-use a05_lighting::{DirectionalLight, Illumination, Light};
-use a06_lab::random_scene::world;
-use a06_shadows_reflection::{LightSource, traced};
+use a05_lighting::{DirectionalLight, Illumination, Lambert, Light, Phong, PointLight, SpotLight};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, traced};
 use common::{ArgumentError, Color};
+
+use crate::random_scene::Place;
+use crate::same_pictures::compare_scenes;
+
+/// Two of three surfaces mirror.
+fn surface(place: &mut Place) -> Result<Box<dyn Surface>, ArgumentError> {
+    let (diffuse, specular, reflection) = (place.color(), place.color(), place.color());
+    let exponent = [0.0, 1.0, 2.5, 64.0][place.numbers.below(4)];
+    Ok(match place.numbers.below(6) {
+        0 => Box::new(Lambert::new(diffuse)?),
+        1 => Box::new(Phong::new(diffuse, specular, exponent)?),
+        _ => Box::new(Reflective::new(diffuse, specular, exponent, reflection)?),
+    })
+}
+
+fn light(place: &mut Place) -> Result<LightSource, ArgumentError> {
+    let (color, from, direction) = (place.color(), place.point(), place.direction());
+    let casts_shadows = place.numbers.below(4) > 0;
+    Ok(match place.numbers.below(3) {
+        0 => LightSource::new(PointLight::new(color, from)?, casts_shadows),
+        1 => LightSource::new(DirectionalLight::new(color, direction)?, casts_shadows),
+        _ => LightSource::new(SpotLight::new(color, from, direction, 0.7)?, casts_shadows),
+    })
+}
+
+/// The world of these shapes, with random surfaces and up to three lights.
+pub fn world(
+    place: &mut Place,
+    shapes: Vec<Box<dyn Geometry>>,
+) -> Result<ShadowedWorld, ArgumentError> {
+    let mut world = ShadowedWorld::empty(place.color(), place.color())?;
+    for shape in shapes {
+        world = world.with(shape, surface(place)?);
+    }
+    for _ in 0..place.numbers.below(4) {
+        world = world.lit_by(light(place)?);
+    }
+    Ok(world)
+}
 
 fn view(seed: u64, mut place: Place) -> Result<View, ArgumentError> {
     let shapes = place.shapes();

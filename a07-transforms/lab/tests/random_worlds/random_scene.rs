@@ -9,9 +9,8 @@
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, Ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
-use common::{ArgumentError, Size};
-
-use crate::support::{Numbers, Triple, vector};
+use a04_lab::support::{Numbers, Triple, vector};
+use common::{ArgumentError, Color, Size};
 
 /// Zeros, and numbers that are 0 beside any other: subnormal ones, those that are subnormal or 0 in
 /// single precision, and those whose reciprocal is infinite there.
@@ -120,8 +119,14 @@ impl Place {
         self.unit * [0.25, 0.5, 1.0, 0.7][self.numbers.below(4)]
     }
 
+    /// A colour.
+    pub fn color(&mut self) -> Color {
+        let [r, g, b] = [(); 3].map(|()| self.numbers.between(0.0, 1.0));
+        Color::new(r, g, b)
+    }
+
     /// A random shape, most of them small.
-    pub fn shape(&mut self) -> Result<Box<dyn Geometry>, ArgumentError> {
+    fn shape(&mut self) -> Result<Box<dyn Geometry>, ArgumentError> {
         let (a, b, c) = (self.point(), self.point(), self.point());
         Ok(match self.numbers.below(12) {
             0 => Box::new(Plane::new(a, self.direction().as_normal())?),
@@ -137,7 +142,7 @@ impl Place {
 
     /// A wall of shapes side by side, with gaps, mostly across the axis of the scene: rays along
     /// this axis that it mirrors stay neighbours, and others go on to the wall behind it.
-    pub fn wall(&mut self) -> Result<Vec<Box<dyn Geometry>>, ArgumentError> {
+    fn wall(&mut self) -> Result<Vec<Box<dyn Geometry>>, ArgumentError> {
         let axis = match self.numbers.below(5) {
             0 => self.numbers.below(3),
             _ => self.axis,

@@ -1,23 +1,16 @@
-//! All renderers draw the same pictures of random scenes of extreme numbers, with materials and
-//! lights.
-//!
-//! `RANDOM_SCENES=6000 cargo test --release -p a05-lighting --test stage extreme` compares thousands, in minutes.
+//! Extreme scenes of stage 5, with materials and lights.
 
 use a03_rays_cameras::View;
-use a04_lab::random_scene::Place;
-use a04_lab::same_pictures::compare_scenes;
 use a05_lighting::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
-use common::{ArgumentError, Color};
+use common::ArgumentError;
 
-fn color(place: &mut Place) -> Color {
-    let [r, g, b] = [(); 3].map(|()| place.numbers.between(0.0, 1.0));
-    Color::new(r, g, b)
-}
+use crate::random_scene::Place;
+use crate::same_pictures::compare_scenes;
 
 fn material(place: &mut Place) -> Result<Box<dyn Material>, ArgumentError> {
-    let (diffuse, specular) = (color(place), color(place));
+    let (diffuse, specular) = (place.color(), place.color());
     let exponent = [0.0, 1.0, 2.5, 64.0][place.numbers.below(4)];
     Ok(match place.numbers.below(3) {
         0 => Box::new(SingleColor::new(diffuse)?),
@@ -27,7 +20,7 @@ fn material(place: &mut Place) -> Result<Box<dyn Material>, ArgumentError> {
 }
 
 fn light(place: &mut Place) -> Result<Box<dyn Light>, ArgumentError> {
-    let (color, from, direction) = (color(place), place.point(), place.direction());
+    let (color, from, direction) = (place.color(), place.point(), place.direction());
     Ok(match place.numbers.below(3) {
         0 => Box::new(PointLight::new(color, from)?),
         1 => Box::new(DirectionalLight::new(color, direction)?),
@@ -36,7 +29,7 @@ fn light(place: &mut Place) -> Result<Box<dyn Light>, ArgumentError> {
 }
 
 fn view(seed: u64, mut place: Place) -> Result<View, ArgumentError> {
-    let mut world = LitWorld::new(color(&mut place), color(&mut place))?;
+    let mut world = LitWorld::new(place.color(), place.color())?;
     for shape in place.shapes() {
         world = world.with(shape, material(&mut place)?);
     }

@@ -1,4 +1,4 @@
-//! The experiments and extreme cases of the laboratory, and its exact arithmetic.
+//! The formulas that stage 4 measures are those of the renderer, and the exact ones are exact.
 
 use a04_lab::exact::{self, DoubleDouble as Number, triangle};
 use a04_lab::experiments::far_sphere::{ours, shots};
@@ -7,8 +7,6 @@ use a04_lab::formula::sphere::{self, stable};
 use a04_lab::formula::triangle::{fused, rounded, watertight};
 use a04_lab::line::line;
 use a04_lab::support::first;
-
-testing::check_lab! { a04_lab::laboratory() }
 
 #[test]
 fn the_stable_formula_is_that_of_the_renderer() {

@@ -5,10 +5,10 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
-use a04_lab::same_hits::compare;
 use a04_lab::support::Numbers;
-use a04_lab::test_shapes::eighths;
 use common::Color;
+
+use crate::same_hits::compare;
 
 /// The number of rays that hit one of these shapes, as the engine and the list agree.
 fn hits<G: Geometry + Clone>(these: &[G], rays: &[Ray]) -> usize {
@@ -26,6 +26,12 @@ fn towards(from: Point3, to: Point3) -> Ray {
 /// A list of this many.
 fn many<T>(count: usize, make: impl FnMut() -> T) -> Vec<T> {
     std::iter::repeat_with(make).take(count).collect()
+}
+
+/// A point of eighths from -2 to 2.
+fn eighths(numbers: &mut Numbers) -> Point3 {
+    let [x, y, z] = [(); 3].map(|()| numbers.between(-16.0, 17.0).floor() / 8.0);
+    Point3::new(x, y, z)
 }
 
 /// A vector of numbers from -1 to 1.

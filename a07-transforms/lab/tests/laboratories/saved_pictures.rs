@@ -1,4 +1,4 @@
-//! The report on saved pictures. Bytes and errors of JPEG files are not locked: encoder and decoder
+//! The report of stage 1 on saved pictures. Bytes and errors of JPEG files are not locked: encoder and decoder
 //! may round in other ways on other machines.
 
 use measure::experiment::Point;

@@ -1,22 +1,18 @@
-//! Short forms for points, rays and hits, tables of exact hits, and random shapes and rays, for the tests
-//! of this stage and of those above.
+//! Short forms for points, rays and hits, tables of exact hits, and random shapes and rays.
 
+pub use a02_math::arrays::{point, vector};
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
 use common::ArgumentError;
-
-use crate::support::Numbers;
-pub use crate::support::{point, vector};
+use testing::Random;
 
 /// A ray whose direction keeps its length.
-#[must_use]
 pub fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
     Ray::derived(point(o), vector(d))
 }
 
 /// The nearest hit of a shape ahead of the ray's origin.
-#[must_use]
 pub fn hit(shape: &dyn Geometry, ray: &Ray) -> Option<Hit> {
     shape.hit(ray, Interval::AHEAD)
 }
@@ -34,30 +30,37 @@ pub fn assert_hits(shape: &dyn Geometry, cases: &[Case]) {
 }
 
 /// A vector of three random numbers from `-width` to `width`.
-#[must_use]
 pub fn random_vector(random: PixelRandom, first: u64, width: f64) -> Vector3 {
     vector([0, 1, 2].map(|i| width * (2.0 * random.uniform(first + i) - 1.0)))
 }
 
+/// A vector of random multiples of `1 / steps` from `-width` to `width`.
+fn grid_vector(random: &mut Random, width: u32, steps: u32) -> Vector3 {
+    let [x, y, z] = [(); 3].map(|()| random.below(2 * width * steps + 1));
+    vector([x, y, z].map(|count| f64::from(count) / f64::from(steps) - f64::from(width)))
+}
+
 /// A point of eighths from -2 to 2.
-pub fn eighths(numbers: &mut Numbers) -> Point3 {
-    point([(); 3].map(|()| numbers.between(-16.0, 17.0).floor() / 8.0))
+pub fn eighths(random: &mut Random) -> Point3 {
+    Point3::ORIGIN + grid_vector(random, 2, 8)
 }
 
 /// Half of the vectors from -1 to 1 in eighths, so that rays go along axes, through edges
 /// and through corners; half from -8 to 8 in multiples of 2^-20.
-fn rounded(numbers: &mut Numbers) -> Vector3 {
-    let (width, steps) = [(1.0, 8.0), (8.0, 1_048_576.0)][numbers.below(2)];
-    vector([(); 3].map(|()| (numbers.between(-width, width) * steps).round() / steps))
+fn any_vector(random: &mut Random) -> Vector3 {
+    match random.below(2) {
+        0 => grid_vector(random, 1, 8),
+        _ => grid_vector(random, 8, 1 << 20),
+    }
 }
 
 /// Planes, spheres, boxes and triangles in turn, half of these with normals of their own.
-fn any_shape(n: u32, numbers: &mut Numbers) -> Result<Box<dyn Geometry>, ArgumentError> {
-    let [a, b, c] = [(); 3].map(|()| Point3::ORIGIN + rounded(numbers));
-    let normals = [(); 3].map(|()| rounded(numbers).as_normal());
+fn any_shape(n: u32, random: &mut Random) -> Result<Box<dyn Geometry>, ArgumentError> {
+    let [a, b, c] = [(); 3].map(|()| Point3::ORIGIN + any_vector(random));
+    let normals = [(); 3].map(|()| any_vector(random).as_normal());
     Ok(match n % 8 {
         0 | 4 => Box::new(Plane::new(a, normals[0])?),
-        1 | 5 => Box::new(Sphere::new(a, numbers.between(0.1, 1.1))?),
+        1 | 5 => Box::new(Sphere::new(a, random.between(0.1, 1.1))?),
         2 | 6 => Box::new(AxisAlignedBox::new(a, b)?),
         3 => Box::new(Triangle::new(a, b, c)?),
         _ => Box::new(Triangle::new(a, b, c)?.with_normals(normals)?),
@@ -65,20 +68,22 @@ fn any_shape(n: u32, numbers: &mut Numbers) -> Result<Box<dyn Geometry>, Argumen
 }
 
 /// The shape with this number.
-#[must_use]
 pub fn random_shape(n: u32) -> Box<dyn Geometry> {
-    let numbers = &mut Numbers::new(5, n as usize);
-    let mut shapes = std::iter::repeat_with(|| any_shape(n, numbers));
-    shapes.find_map(Result::ok).unwrap()
+    let random = &mut Random::new(u64::from(n));
+    loop {
+        if let Ok(shape) = any_shape(n, random) {
+            return shape;
+        }
+    }
 }
 
-/// The ray with this number.
-#[must_use]
+/// The ray with this number, from other random numbers than the shapes.
 pub fn random_ray(n: u32) -> Ray {
-    let numbers = &mut Numbers::new(6, n as usize);
-    let mut rays = std::iter::repeat_with(|| {
-        let (from, to) = (rounded(numbers), rounded(numbers));
-        Ray::new(Point3::ORIGIN + from, to - from)
-    });
-    rays.find_map(Result::ok).unwrap()
+    let random = &mut Random::new(!u64::from(n));
+    loop {
+        let (from, to) = (any_vector(random), any_vector(random));
+        if let Ok(ray) = Ray::new(Point3::ORIGIN + from, to - from) {
+            return ray;
+        }
+    }
 }

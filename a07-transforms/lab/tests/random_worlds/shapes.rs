@@ -1,12 +1,11 @@
-//! All renderers draw the same pictures of random scenes of extreme numbers.
-//!
-//! `RANDOM_SCENES=6000 cargo test --release -p a04-intersections --test stage extreme` compares thousands, in minutes.
+//! Extreme scenes of stage 4, in which each shape has a colour.
 
 use a03_rays_cameras::View;
 use a04_intersections::World;
-use a04_lab::random_scene::Place;
-use a04_lab::same_pictures::compare_scenes;
 use common::{ArgumentError, Color};
+
+use crate::random_scene::Place;
+use crate::same_pictures::compare_scenes;
 
 /// A scene of shapes with a colour each.
 fn view(seed: u64, mut place: Place) -> Result<View, ArgumentError> {

@@ -1,18 +1,16 @@
-//! All renderers draw the same pictures of random scenes of extreme numbers, with discs and nodes,
-//! after shadows and mirrors.
-//!
-//! `RANDOM_SCENES=6000 cargo test --release -p a07-transforms --test stage extreme` compares thousands, in minutes.
+//! Extreme scenes of stage 7: discs, nodes, groups, and lamps that are fixed to them.
 
 use a02_math::Point3;
 use a03_rays_cameras::{Ray, View};
 use a04_intersections::{Geometry, Interval};
-use a04_lab::random_scene::Place;
-use a04_lab::same_pictures::compare_scenes;
 use a05_lighting::PointLight;
-use a06_lab::random_scene::world;
 use a06_shadows_reflection::LightSource;
 use a07_transforms::{Disc, Node, Transform, traced};
 use common::{ArgumentError, Color};
+
+use crate::mirrors::world;
+use crate::random_scene::Place;
+use crate::same_pictures::compare_scenes;
 
 /// Moves along axes, turns by quarters or any angle, stretches and mirrors.
 fn transform(place: &mut Place) -> Result<Transform, ArgumentError> {

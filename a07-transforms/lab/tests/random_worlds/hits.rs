@@ -1,15 +1,16 @@
-//! The engine hits the shapes of this stage as the lesson's list does, to the last bit, in
-//! random worlds.
+//! The engine hits the shapes of stage 4 as the lesson's list does, to the last bit.
 
 mod edges;
+mod nodes;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use a04_lab::same_hits::compare;
 use a04_lab::support::Numbers;
 use common::Color;
+
+use crate::same_hits::compare;
 
 /// A scene of some size somewhere.
 #[derive(Clone, Copy)]

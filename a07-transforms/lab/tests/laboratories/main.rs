@@ -1,30 +1,23 @@
-//! The experiments of the laboratory, and the extreme cases of all laboratories.
+//! The experiments and extreme cases of all laboratories, and the arithmetic, formulas and meshes by which they
+//! measure.
+
+mod closed_mesh;
+mod corpus;
+mod double_double;
+mod formulas;
+mod mirroring_ball;
+mod nested_nodes;
+mod saved_pictures;
 
 use std::collections::HashSet;
 use std::fs;
+use std::sync::LazyLock;
 
-use a06_lab::experiments::secondary_rays::NEAR;
-use a06_lab::policy::offset;
-use a07_lab::nested_nodes::lit_points;
-use measure::Effort;
 use measure::extremes::{Bound, Case, Condition};
+use measure::{Effort, Laboratory, experiment, extremes};
 
-testing::check_lab! { a07_lab::laboratory() }
-
-/// Of four thousand points a condition, none has acne or a leak.
-#[test]
-fn points_under_nested_nodes_are_right() {
-    for condition in [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] {
-        for trial in lit_points(4_096, 13, condition).unwrap() {
-            assert!(!trial.shades_itself(offset), "acne, {condition}");
-            assert!(!NEAR.iter().any(|near| trial.leaks(offset, *near)));
-        }
-    }
-}
-
-/// The extreme cases of all stages.
-fn all_cases() -> Vec<Case> {
-    let laboratories = [
+fn laboratories() -> [Laboratory; 7] {
+    [
         a01_lab::laboratory(),
         a02_lab::laboratory(),
         a03_lab::laboratory(),
@@ -32,11 +25,31 @@ fn all_cases() -> Vec<Case> {
         a05_lab::laboratory(),
         a06_lab::laboratory(),
         a07_lab::laboratory(),
-    ];
-    laboratories
+    ]
+}
+
+/// The extreme cases of all stages.
+static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
+    let laboratories = laboratories();
+    let cases = laboratories
         .iter()
-        .flat_map(|laboratory| (laboratory.extremes)(Effort::Quick))
-        .collect()
+        .flat_map(|laboratory| (laboratory.extremes)(Effort::of_build()));
+    cases.collect()
+});
+
+/// The curves have the slopes and bounds of theory.
+#[test]
+fn the_experiments_agree_with_theory() {
+    for laboratory in laboratories() {
+        for experiment in (laboratory.experiments)() {
+            experiment::check(&experiment);
+        }
+    }
+}
+
+#[test]
+fn the_extreme_cases_hold() {
+    extremes::check(&CASES);
 }
 
 /// No bound is far above the condition of its case, but where a byte is computed.
@@ -44,7 +57,7 @@ fn all_cases() -> Vec<Case> {
 fn bounds_are_those_of_the_problem() {
     const OF_BYTES: [&str; 2] = ["L04", "Q13"];
     let mut loose = Vec::new();
-    for case in all_cases() {
+    for case in CASES.iter() {
         let magnitude = case
             .exact
             .numbers()
@@ -58,7 +71,7 @@ fn bounds_are_those_of_the_problem() {
         if let Condition::Known(condition) = case.condition
             && ulps > 16.0 * condition.max(1.0)
         {
-            loose.push(case.id);
+            loose.push(case.id.as_str());
         }
     }
     loose.sort_unstable();
@@ -70,8 +83,8 @@ fn bounds_are_those_of_the_problem() {
 #[test]
 fn ids_are_unique_and_the_errata_name_existing_rows() {
     let mut ids = HashSet::new();
-    for case in all_cases() {
-        assert!(ids.insert(case.id.clone()), "{} stands twice", case.id);
+    for case in CASES.iter() {
+        assert!(ids.insert(case.id.as_str()), "{} stands twice", case.id);
     }
     assert!(ids.len() > 250, "all stages have tables");
 

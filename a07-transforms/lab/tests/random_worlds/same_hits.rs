@@ -1,6 +1,5 @@
 //! Compares the hits of the engine, by each of its instruction sets, with the hits of the lesson's list,
-//! bit by bit, in a picture in which a pixel is the hit of a ray of its own, for the tests of this stage and
-//! of those above.
+//! bit by bit, in a picture in which a pixel is the hit of a ray of its own.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -29,7 +28,6 @@ const fn number(x: usize, y: usize) -> usize {
 }
 
 /// Compares the hits of these rays, and returns the number of rays that hit anything.
-#[must_use]
 pub fn compare(world: &World<usize>, shapes: Shapes, rays: &[Ray]) -> usize {
     let of_list = |ray: Ray| match world.hit(&ray, Interval::AHEAD) {
         Some((hit, surface)) => (ray, pixel(&ray, &hit, *surface)),

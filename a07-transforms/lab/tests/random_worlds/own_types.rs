@@ -1,6 +1,4 @@
-//! Random worlds, with shapes, materials and lights of a student's own: engine and all
-//! work draw the lesson's pictures, to the last bit; the engine also with the instructions that
-//! each processor has.
+//! Worlds of stage 6 with shapes, materials and lights of a student's own.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, Ray, View};
@@ -11,7 +9,9 @@ use a05_lighting::{
     SingleColor, SpotLight,
 };
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, traced};
-use common::{ArgumentError, Color, Image, Renderer, Sampling, Settings, Size};
+use common::{ArgumentError, Color, Image, Sampling, Settings, Size};
+
+use crate::same_pictures::compare;
 
 /// An endless upright cylinder around the y axis.
 #[derive(Debug)]
@@ -153,28 +153,16 @@ fn view(seed: u64) -> Result<View<ShadowedWorld>, ArgumentError> {
     Ok(View::new(camera, world))
 }
 
-/// Renders a picture of random settings with all renderers, and returns the lesson's.
-fn check_same(seed: u64, size: Size, depth: u32, view: &dyn Fn() -> View) -> Image {
-    let render = |renderer| {
-        let settings = Settings {
-            size,
-            samples: 1 + seed as u32 % 2,
-            sampling: [Sampling::Center, Sampling::Random][seed as usize % 2],
-            depth,
-            renderer,
-            ..Settings::default()
-        };
-        view().render(&settings, &()).unwrap()
+/// Compares the renderers in a picture of random settings, and returns the lesson's.
+fn check_same(seed: u64, size: Size, depth: u32, view: impl Fn() -> View) -> Image {
+    let settings = Settings {
+        size,
+        samples: 1 + seed as u32 % 2,
+        sampling: [Sampling::Center, Sampling::Random][seed as usize % 2],
+        depth,
+        ..Settings::default()
     };
-    let [lesson, engine, all] = Renderer::ALL.map(render);
-    let baseline = engine::at_baseline(|| render(Renderer::Engine));
-    assert!(engine == lesson, "the engine differs, seed {seed}");
-    assert!(
-        baseline == lesson,
-        "the engine at the baseline differs, seed {seed}"
-    );
-    assert!(all == lesson, "all work differs, seed {seed}");
-    lesson
+    compare(seed, view, &settings)
 }
 
 #[test]
@@ -182,7 +170,7 @@ fn all_renderers_draw_the_same_pictures_of_random_worlds() {
     let size = Size::new(24, 19).unwrap();
     let mut pictures = [0; 2];
     for seed in (0..600).filter(|seed| view(*seed).is_ok()) {
-        let lesson = check_same(seed, size, 6, &|| traced(view(seed).unwrap()));
+        let lesson = check_same(seed, size, 6, || traced(view(seed).unwrap()));
         let first = lesson.pixels()[0];
         pictures[usize::from(lesson.pixels().iter().any(|color| *color != first))] += 1;
     }
@@ -214,7 +202,7 @@ fn all_renderers_trace_random_rays_to_any_depth() {
         let size = Size::new(1 + seed as u32 % 40, 1 + seed as u32 % 7).unwrap();
         for depth in [0, 1, 3, 8] {
             let scattered = || traced(View::new(Scattered(seed), view(seed).unwrap().world));
-            let lesson = check_same(2 * seed, size, depth, &scattered);
+            let lesson = check_same(2 * seed, size, depth, scattered);
             let is_lit = |color: &&Color| **color != Color::BLACK;
             lit += lesson.pixels().iter().filter(is_lit).count();
         }

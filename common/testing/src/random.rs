@@ -1,10 +1,23 @@
-//! `Random`: the random parameters of checks, the same in every run.
+//! `Random`: the random inputs of tests and checks, the same in every run.
+
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use common::Color;
 use proptest::prelude::RngExt;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-/// Some random inputs, the same in every run.
+/// Calls a test with the random numbers of each of the first seeds. If it panics, the seed is printed.
+pub fn for_seeds(count: u64, test: impl Fn(&mut Random)) {
+    for seed in 0..count {
+        let tested = catch_unwind(AssertUnwindSafe(|| test(&mut Random::new(seed))));
+        if let Err(panic) = tested {
+            eprintln!("with the seed {seed}");
+            resume_unwind(panic);
+        }
+    }
+}
+
+/// Some random inputs of a check.
 pub fn random<I>(mut input: impl FnMut(&mut Random) -> I) -> Vec<I> {
     let mut random = Random::new(1);
     (0..24).map(|_| input(&mut random)).collect()

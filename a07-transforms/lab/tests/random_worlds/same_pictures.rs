@@ -1,0 +1,77 @@
+//! Compares the pictures of the three renderers, and of the engine's instruction sets.
+
+use std::collections::HashSet;
+use std::env;
+use std::ops::Range;
+
+use a03_rays_cameras::View;
+use common::{ArgumentError, Color, Image, Renderer, Settings, Size};
+
+use crate::random_scene::Place;
+
+/// Width and height of the pictures of extreme scenes.
+const SIDE: u32 = 32;
+
+/// Renders a view with all renderers, and returns the lesson's picture. The world is that of a seed.
+pub fn compare(seed: u64, view: impl Fn() -> View, settings: &Settings) -> Image {
+    let render = |renderer| {
+        let settings = Settings {
+            renderer,
+            ..settings.clone()
+        };
+        view().render(&settings, &()).unwrap()
+    };
+    let [lesson, engine, all_work] = Renderer::ALL.map(render);
+    let baseline = engine::at_baseline(|| render(Renderer::Engine));
+    for (name, other) in [
+        ("the engine", engine),
+        ("the engine at the baseline", baseline),
+        ("all work", all_work),
+    ] {
+        let mut different = 0;
+        for (a, b) in lesson.pixels().iter().zip(other.pixels()) {
+            different += usize::from(!is_same(*a, *b));
+        }
+        assert!(
+            different == 0,
+            "{name} differs in {different} pixels, seed {seed}"
+        );
+    }
+    lesson
+}
+
+/// Whether colours are equal, or both no numbers.
+fn is_same(a: Color, b: Color) -> bool {
+    let mut channels = a.channels().into_iter().zip(b.channels());
+    channels.all(|(a, b)| a == b || a.is_nan() && b.is_nan())
+}
+
+/// Compares the renderers in extreme scenes with these seeds, or in as many scenes as the environment
+/// variable `RANDOM_SCENES` says. A scene without a view has numbers beyond the limits of the lesson. Most
+/// of them have to have a picture, and many of these more than ten colours.
+pub fn compare_scenes(seeds: Range<u64>, view: impl Fn(u64, Place) -> Result<View, ArgumentError>) {
+    let asked = env::var("RANDOM_SCENES");
+    let asked = asked.ok().and_then(|count| count.parse().ok());
+    let count = asked.unwrap_or(seeds.end - seeds.start);
+    let settings = Settings {
+        size: Size::new(SIDE, SIDE).unwrap(),
+        depth: 4,
+        ..Settings::default()
+    };
+    let (mut pictures, mut colorful) = (0, 0);
+    for seed in (seeds.start..).take(count as usize) {
+        let view = || view(seed, Place::new(seed));
+        if view().is_err() {
+            continue;
+        }
+        let image = compare(seed, || view().unwrap(), &settings);
+        let mut colors = HashSet::new();
+        for color in image.pixels() {
+            colors.insert(color.channels().map(f64::to_bits));
+        }
+        pictures += 1;
+        colorful += u64::from(colors.len() > 10);
+    }
+    let are_enough = 3 * pictures > 2 * count && 6 * colorful > count;
+    assert!(are_enough, "{pictures} and {colorful} of {count}");
+}
