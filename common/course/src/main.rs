@@ -11,6 +11,7 @@ mod outcome;
 mod refusal;
 mod results;
 mod sandbox;
+mod students_file;
 mod submission;
 
 use std::process::ExitCode;

@@ -116,8 +116,8 @@ fn files_that_are_named_after_students() {
 fn of_dated_hand_ins_the_latest_counts() {
     check(
         &[
-            ("112-22 - Bob Cole - Nov 5, 2026 0901 AM/sphere.rs", OTHER),
-            ("112-22 - Bob Cole - Nov 4, 2026 0901 PM/sphere.rs", CODE),
+            ("112-22 - Bob Cole - 2026-11-05 09-01/sphere.rs", OTHER),
+            ("112-22 - Bob Cole - 2026-11-04 21-01/sphere.rs", CODE),
             ("Ada/20261001123045_ray.rs", CODE),
             ("Ada/20261003080000_ray.rs", OTHER),
             ("Cy/ray.rs", CODE),
@@ -127,7 +127,7 @@ fn of_dated_hand_ins_the_latest_counts() {
         ],
         &[
             "112-22 - Bob Cole: -; \
-             112-22 - Bob Cole - Nov 5, 2026 0901 AM/sphere.rs (the latest of 2)",
+             112-22 - Bob Cole - 2026-11-05 09-01/sphere.rs (the latest of 2)",
             "Ada: Ada/20261003080000_ray.rs (the latest of 2); -",
             "Cy: ? there are 2 copies: Cy/old/ray.rs, Cy/ray.rs; hand in one; -",
             "Di: Di/copy/ray.rs; -",
