@@ -10,7 +10,7 @@ use crate::files;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::run;
-use crate::report::{Report, say_cut};
+use crate::report::Report;
 use crate::screen::Space;
 
 /// Time between two looks whether another cargo builds.
@@ -58,16 +58,15 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
         return Ok(Build::Stopped);
     };
     if !status.success() {
-        let errors = errors.finish();
-        let (first, more) = errors.beginning(space.lines);
+        let printed = errors.finish().beginning(space.lines);
         // The compiler would send the student into the check.
-        let words = if first.contains("tests/exercises/") {
+        let words = if printed.contains("tests/exercises/") {
             "the check calls your code by the names and in the forms of the starter; look at yours"
         } else {
             ""
         };
         return Ok(Build::Failed(Report {
-            printed: first + &say_cut(e, &errors, more),
+            printed,
             words: words.to_owned(),
             ..Report::new(e, "does not compile")
         }));

@@ -1,6 +1,6 @@
 //! The student's file of an exercise, which begins as a copy of the starter.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 use std::{env, fs, io};
 
@@ -19,24 +19,13 @@ pub fn workspace() -> PathBuf {
     workspace.map(Path::to_owned).unwrap_or_default()
 }
 
-/// A path in the workbook, as short as it is from the current folder.
+/// A path in the workbook: in the current folder, without that of the folder.
 pub(crate) fn shortest(path: &str) -> PathBuf {
+    let whole = workspace().join(path);
     let here = env::current_dir().unwrap_or_default();
-    let Ok(here) = here.strip_prefix(workspace()) else {
-        return workspace().join(path);
-    };
-    let mut here = here.components().peekable();
-    let mut path = Path::new(path).components().peekable();
-    while here.peek().is_some() && here.peek() == path.peek() {
-        here.next();
-        path.next();
-    }
-    let mut shortest = PathBuf::new();
-    for _ in here {
-        shortest.push(Component::ParentDir);
-    }
-    shortest.extend(path);
-    shortest
+    whole
+        .strip_prefix(here)
+        .map_or(whole.clone(), Path::to_owned)
 }
 
 /// The text of a file in the workbook.

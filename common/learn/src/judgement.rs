@@ -14,16 +14,11 @@ use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::run;
 use crate::progress::Progress;
-use crate::report::{Report, say_cut};
+use crate::report::Report;
 use crate::screen::Space;
 
-/// The longest time in seconds that a check may take without output, unless `LEARN_SECONDS` is
-/// another.
+/// The longest time in seconds that a check may take, unless `LEARN_SECONDS` is another.
 const LONGEST: u64 = 10;
-
-/// How many times as long it may take while it prints: to print much takes long, and is no loop
-/// without end.
-const LONGEST_WITH_OUTPUT: u32 = 6;
 
 /// Checks a student's file, and records whether it is done. Output is cut to the space.
 pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watcher) -> Report {
@@ -34,12 +29,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
     };
     let mut report = match build_and_run(e, None, space, watcher) {
         Ok(Some(report)) => report,
-        Ok(None) => {
-            return Report {
-                is_stopped: true,
-                ..Report::new(e, "stopped")
-            };
-        }
+        Ok(None) => return Report::new(e, "stopped"),
         Err(problem) => return Report::new(e, &problem),
     };
     if let Err(problem) = progress.record(e, &text, report.is_done) {
@@ -97,39 +87,32 @@ fn run_check(
     let seconds = limit.and_then(|n| n.parse().ok()).unwrap_or(LONGEST);
     let limit = Duration::from_secs(seconds);
     let start = Instant::now();
-    let mut late = None;
     let status = run(check, &mut || {
-        let silence = output.so_far().last.unwrap_or(start).elapsed();
         let elapsed = start.elapsed();
-        if silence > limit {
-            let words = format!("no end after {seconds} seconds, probably a loop without end");
-            late = Some(words);
-        } else if elapsed > limit * LONGEST_WITH_OUTPUT {
-            let seconds = elapsed.as_secs();
-            late = Some(format!(
-                "no end after {seconds} seconds of output; print less, or look for a loop without end"
-            ));
-        }
-        late.is_none() && watcher(Phase::Checking, elapsed)
+        elapsed < limit && watcher(Phase::Checking, elapsed)
     });
+    let is_late = start.elapsed() >= limit;
     let output = output.finish();
-    let (is_done, verdict) = match (status.map_err(with_path)?, late) {
-        (Some(status), _) if status.success() => (true, "done".to_owned()),
-        (Some(_), _) if output.overflows_stack() => (
+    let (is_done, verdict) = match status.map_err(with_path)? {
+        Some(status) if status.success() => (true, "done".to_owned()),
+        Some(_) if output.overflows_stack() => (
             false,
             "the stack overflows, probably by a recursion without end".to_owned(),
         ),
         // The program says why.
-        (Some(_), _) => (false, "not yet".to_owned()),
-        (None, Some(late)) => (false, late),
-        (None, None) => return Ok(None),
+        Some(_) => (false, "not yet".to_owned()),
+        None if is_late => (
+            false,
+            format!("no end after {seconds} seconds, probably a loop without end"),
+        ),
+        None => return Ok(None),
     };
-    let (first, more) = output.beginning(space.lines);
+    let printed = output.beginning(space.lines);
     // What a student's program prints may move the cursor.
-    let printed = text::message(&first.replace('\t', "    "));
+    let printed = text::message(&printed.replace('\t', "    "));
     Ok(Some(Report {
         is_done,
-        printed: printed + &say_cut(e, &output, more),
+        printed,
         words: text::message(&output.words),
         ..Report::new(e, &verdict)
     }))

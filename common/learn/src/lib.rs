@@ -12,7 +12,6 @@ pub mod files;
 mod judgement;
 mod keys;
 mod lines;
-mod list;
 mod output;
 mod page;
 mod phase;

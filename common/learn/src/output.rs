@@ -25,20 +25,19 @@ pub struct Output {
     pub kept: Vec<u8>,
     /// The number of lines, without those of the check.
     pub lines: usize,
-    /// Whether bytes are missing in `kept`.
-    pub is_cut: bool,
     /// What the check says.
     pub words: String,
-    /// When the last line came.
-    pub last: Option<Instant>,
 }
 
 impl Output {
     /// The first lines, at most `most`, and how many more there are.
-    pub fn beginning(&self, most: usize) -> (String, usize) {
+    pub fn beginning(&self, most: usize) -> String {
         let text = String::from_utf8_lossy(&self.kept);
         let first: Vec<_> = text.lines().take(most).collect();
-        (first.join("\n"), self.lines.saturating_sub(first.len()))
+        match self.lines.saturating_sub(first.len()) {
+            0 => first.join("\n"),
+            more => format!("{}\n… {more} more lines", first.join("\n")),
+        }
     }
 
     /// Whether the program has ended because its calls nest too deeply, in the words of Rust's
@@ -49,7 +48,6 @@ impl Output {
 
     /// Adds a line of the program, after which the check may have begun one of its own.
     fn add(&mut self, line: &[u8]) {
-        self.last = Some(Instant::now());
         let Some(at) = line.iter().position(|byte| *byte == WORDS_MARK as u8) else {
             self.lines += 1;
             self.keep(line);
@@ -65,7 +63,6 @@ impl Output {
 
     fn keep(&mut self, bytes: &[u8]) {
         let space = KEPT_BYTES - self.kept.len();
-        self.is_cut |= bytes.len() > space;
         self.kept.extend(&bytes[..bytes.len().min(space)]);
     }
 }
@@ -95,18 +92,13 @@ impl OutputReader {
         Self { output, thread }
     }
 
-    /// What is there by now.
-    pub fn so_far(&self) -> MutexGuard<'_, Output> {
-        lock(&self.output)
-    }
-
     /// Everything, after the program has ended.
     pub fn finish(self) -> Output {
         let end = Instant::now() + END;
         while !self.thread.is_finished() && Instant::now() < end {
             thread::sleep(Duration::from_millis(1));
         }
-        std::mem::take(&mut *self.so_far())
+        std::mem::take(&mut *lock(&self.output))
     }
 }
 
@@ -133,22 +125,25 @@ mod tests {
     fn lines_of_the_check_are_told_from_those_of_the_program() {
         let text = format!("a\nb{WORDS_MARK}wrong\nlast");
         let output = read(text.as_bytes());
-        assert_eq!(output.beginning(3), ("a\nb\nlast".to_owned(), 0));
+        assert_eq!(output.beginning(3), "a\nb\nlast");
         assert_eq!(output.words, "wrong\n");
-        assert_eq!(read(b"").beginning(3), (String::new(), 0));
+        assert_eq!(read(b"").beginning(3), "");
     }
 
     #[test]
     fn much_output_is_cut_and_counted_and_hides_no_word_of_the_check() {
         let many = "x\n".repeat(KEPT_BYTES);
         let output = read(format!("{many}{WORDS_MARK}wrong\n").as_bytes());
-        let (first, more) = output.beginning(50);
-        assert_eq!(first.lines().count(), 50);
-        assert_eq!(more, KEPT_BYTES - 50);
-        assert!(output.is_cut && output.kept.len() == KEPT_BYTES);
+        let beginning = "x\n".repeat(50);
+        let more = KEPT_BYTES - 50;
+        assert_eq!(
+            output.beginning(50),
+            format!("{beginning}… {more} more lines")
+        );
+        assert_eq!(output.kept.len(), KEPT_BYTES);
         assert_eq!(output.words, "wrong\n");
         // A line without end, and bytes that are no text.
         let output = read(&vec![0xFF; 3 * KEPT_BYTES]);
-        assert!(output.is_cut && output.kept.len() == KEPT_BYTES);
+        assert_eq!(output.kept.len(), KEPT_BYTES);
     }
 }

@@ -12,19 +12,16 @@ use crate::exercise::Exercise;
 use crate::files::{self, Saved};
 use crate::judgement::judge;
 use crate::keys::Typed;
-use crate::list::{self, Choice};
 use crate::report::Report;
 use crate::screen::Screen;
 use crate::watch::{PAUSE, Session};
 
-const KEYS: &str = "h hint  n next  l list  x reset  q quit";
-const KEYS_OF_CHECK: &str = "s stop  h hint  n next  l list  q quit";
-const RESET: &str = "begin again from the starter? your file is kept; y yes, other keys no";
+const KEYS: &str = "h hint  n next  l list  q quit";
+const KEYS_OF_CHECK: &str = "s stop  h hint  n next  q quit";
 
 /// Where the student goes.
 pub enum Step {
     Following,
-    Chosen(&'static Exercise),
     Quit,
 }
 
@@ -37,11 +34,8 @@ pub struct Page {
     checked: Option<Saved>,
     /// Answers to keys since the check.
     notes: Vec<String>,
-    /// Whether the next check leaves the notes.
-    keeps_notes: bool,
     /// How many hints have been asked for.
     hints: usize,
-    asks_for_reset: bool,
     /// The width for which it is drawn.
     width: Option<usize>,
 }
@@ -53,9 +47,7 @@ impl Page {
             report: None,
             checked: None,
             notes: Vec::new(),
-            keeps_notes: false,
             hints: 0,
-            asks_for_reset: false,
             width: None,
         }
     }
@@ -103,10 +95,7 @@ impl Page {
             ..
         } = session;
         self.report = None;
-        if !self.keeps_notes {
-            self.notes.clear();
-        }
-        self.keeps_notes = false;
+        self.notes.clear();
         self.width = screen.width();
         screen.show(&self.task_and_notes(screen), "");
         let mut stopping_key = None;
@@ -125,7 +114,7 @@ impl Page {
                     shown.clear();
                 }
                 Typed::Key(Key::Char('s')) => return false,
-                Typed::Key(key @ (Key::Char('n' | 'l' | 'q') | Key::CtrlC)) => {
+                Typed::Key(key @ (Key::Char('n' | 'q') | Key::CtrlC)) => {
                     stopping_key = Some(key);
                     return false;
                 }
@@ -164,7 +153,9 @@ impl Page {
         let Some(name) = other else {
             return;
         };
-        let note = format!("{name}.rs is saved, the file of another exercise: L leads there");
+        let note = format!(
+            "{name}.rs is saved, the file of another exercise: `cargo learn {name}` checks it"
+        );
         if self.notes.last() != Some(&note) {
             self.note(session, &note);
         }
@@ -173,19 +164,6 @@ impl Page {
     /// Does what a key asks for.
     fn obey(&mut self, key: &Key, session: &mut Session) -> Result<Option<Step>, String> {
         let e = self.exercise;
-        if self.asks_for_reset {
-            self.asks_for_reset = false;
-            let note = if *key == Key::Char('y') {
-                self.checked = None;
-                self.keeps_notes = true;
-                files::reset(e).unwrap_or_else(|problem| problem)
-            } else {
-                "nothing is changed".to_owned()
-            };
-            self.report = None;
-            self.note(session, &note);
-            return Ok(None);
-        }
         match key {
             Key::Char('q') | Key::CtrlC => return Ok(Some(Step::Quit)),
             Key::Char('n') => return Ok(Some(Step::Following)),
@@ -198,11 +176,7 @@ impl Page {
                 let hint = self.next_hint(&session.screen);
                 self.note(session, &hint);
             }
-            Key::Char('l') => return Ok(self.list(session)),
-            Key::Char('x') => {
-                self.asks_for_reset = true;
-                self.note(session, RESET);
-            }
+            Key::Char('l') => self.list(session),
             // A stray key of a terminal changes nothing; a wrong line in a pipe is answered.
             _ if session.screen.is_terminal() => {}
             _ => self.note(session, KEYS),
@@ -222,25 +196,16 @@ impl Page {
         screen.wrap_markdown(hint.trim())
     }
 
-    fn list(&mut self, session: &mut Session) -> Option<Step> {
-        if !session.screen.is_terminal() {
-            let list = session.progress.list(session.course);
-            self.note(session, &list);
-            return None;
-        }
-        match list::choose(self.exercise, session) {
-            Choice::Exercise(e) => Some(Step::Chosen(e)),
-            Choice::Quit => Some(Step::Quit),
-            Choice::Back => {
-                // The list has stopped a check.
-                if self.report.as_ref().is_some_and(|report| report.is_stopped) {
-                    self.checked = None;
-                } else {
-                    self.draw(session);
-                }
-                None
+    /// Lists the exercises of the stage, which fit below the task.
+    fn list(&mut self, session: &Session) {
+        let mut lines = Vec::new();
+        for e in session.course {
+            if e.stage == self.exercise.stage {
+                lines.push(session.progress.row(e));
             }
         }
+        lines.push("`cargo learn list` has all stages, `cargo learn NAME` begins one".to_owned());
+        self.note(session, &lines.join("\n"));
     }
 
     /// Adds an answer to a key.

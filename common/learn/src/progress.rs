@@ -16,10 +16,6 @@ use crate::files;
 
 const FILE: &str = ".learn";
 
-/// The longest bar in characters, and what else stands in its line.
-const BAR: usize = 30;
-const BESIDE_BAR: usize = 22;
-
 /// Hashes of right files, by the names of the exercises.
 type Hashes = BTreeMap<String, u64>;
 
@@ -120,20 +116,16 @@ impl Progress {
         candidates.find(|e| !self.is_done(e))
     }
 
-    /// A bar for the core path and one for the further exercises, in lines of this width.
-    pub fn bars(&self, course: &[Exercise], width: Option<usize>) -> String {
-        let most = width.map_or(BAR, |width| width.saturating_sub(BESIDE_BAR).min(BAR));
-        let core = self.bar("core path", course, true, most);
-        let further = self.bar("further  ", course, false, most);
-        format!("{core}\n{further}")
-    }
-
-    fn bar(&self, words: &str, course: &[Exercise], is_core: bool, length: usize) -> String {
-        let path = course.iter().filter(|e| e.is_core == is_core);
-        let all = path.clone().count();
-        let done = path.filter(|e| self.is_done(e)).count();
-        let full = "#".repeat(length * done / all.max(1));
-        format!("{words} [{full:.<length$}] {done} of {all}")
+    /// How many exercises of the core path and of the others are done.
+    pub fn summary(&self, course: &[Exercise]) -> String {
+        let mut words = Vec::new();
+        for (path, is_core) in [("core path", true), ("further", false)] {
+            let of_path = course.iter().filter(|e| e.is_core == is_core);
+            let all = of_path.clone().count();
+            let done = of_path.filter(|e| self.is_done(e)).count();
+            words.push(format!("{path}: {done} of {all}"));
+        }
+        format!("done: {}", words.join(", "))
     }
 
     /// An exercise in a line.
@@ -148,7 +140,7 @@ impl Progress {
     pub fn list(&self, course: &[Exercise]) -> String {
         let mut lines: Vec<_> = course.iter().map(|e| self.row(e)).collect();
         lines.push(String::new());
-        lines.push(self.bars(course, None));
+        lines.push(self.summary(course));
         lines.join("\n")
     }
 }

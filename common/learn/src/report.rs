@@ -1,21 +1,12 @@
 //! `Report`: what a check says about a student's file.
 
-use std::path::Path;
-use std::{fs, io};
-
-use common::text;
-
 use crate::exercise::Exercise;
-use crate::files;
-use crate::output::Output;
 use crate::screen::Screen;
 
 /// What a check says about a student's file.
 #[derive(Default)]
 pub struct Report {
     pub is_done: bool,
-    /// Whether the student has stopped the check.
-    pub is_stopped: bool,
     /// The output of the student's program, or of the compiler.
     pub printed: String,
     /// What is wrong.
@@ -42,30 +33,4 @@ impl Report {
         }
         text
     }
-}
-
-/// Says how many lines of an output are not shown, and writes them to a file.
-pub fn say_cut(e: &Exercise, output: &Output, more: usize) -> String {
-    if more == 0 {
-        return String::new();
-    }
-    let cut = format!("\n… {more} more lines");
-    let path = files::shortest(&format!("out/exercises/{}.txt", e.name));
-    if write_into_folder(&path, &output.kept).is_err() {
-        // Without the file, the number of lines is still true.
-        return cut;
-    }
-    let part = if output.is_cut {
-        "the first MiB"
-    } else {
-        "all"
-    };
-    format!("{cut}; {} has {part} of them", text::path(&path))
-}
-
-fn write_into_folder(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    fs::write(path, bytes)
 }

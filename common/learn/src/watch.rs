@@ -38,19 +38,11 @@ pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<St
         files::begin(page.exercise)?;
         page = match page.work(&mut session)? {
             Step::Quit => break,
-            Step::Chosen(e) => Page::new(e),
             Step::Following => match session.progress.next(course, Some(page.exercise)) {
                 Some(next) => Page::new(next),
-                None => return Ok(format!("{}\n{END}", session.bars())),
+                None => return Ok(format!("{}\n{END}", session.progress.summary(course))),
             },
         };
     }
-    Ok(session.bars())
-}
-
-impl Session {
-    /// How far the student is.
-    pub fn bars(&self) -> String {
-        self.progress.bars(self.course, self.screen.width())
-    }
+    Ok(session.progress.summary(course))
 }

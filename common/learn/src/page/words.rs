@@ -3,7 +3,7 @@
 use common::text;
 use console::style;
 
-use super::{KEYS, Page, RESET};
+use super::{KEYS, Page};
 use crate::files;
 use crate::report::Report;
 use crate::screen::Screen;
@@ -34,7 +34,7 @@ impl Page {
             parts.push(self.verdict(report, screen));
         }
         parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
-        parts.push(session.bars());
+        parts.push(session.progress.summary(session.course));
         parts.push(screen.wrap(&self.keys()));
         parts.join("\n\n")
     }
@@ -67,9 +67,6 @@ impl Page {
 
     /// What the keys do.
     fn keys(&self) -> String {
-        if self.asks_for_reset {
-            return RESET.to_owned();
-        }
         let is_done = self.report.as_ref().is_some_and(|report| report.is_done);
         format!("{}\n{KEYS}", if is_done { NEXT } else { SAVE })
     }

@@ -1,0 +1,165 @@
+//! The program of the book, page by page.
+
+use std::process::Command;
+
+use common::{Color, picture_file};
+
+use super::manifest::DEPENDENCIES;
+use super::*;
+use crate::exercise::{find, read_all};
+
+/// Libraries from outside are built as for the workbook, and nothing else is optimised: so it is
+/// soon built.
+const QUICK: &str = "[package]\nname = \"my-tracer\"\nedition = \"2024\"\n\n[dependencies]\n
+[profile.dev]
+codegen-units = 1
+opt-level = 0
+debug = false
+
+[profile.dev.package]
+jpeg-decoder.opt-level = 1
+libm.opt-level = 3
+png.opt-level = 2
+toml_parser.opt-level = 1
+";
+
+const PAGES: [&str; 8] = [
+    "first-run",
+    "a01-image-display",
+    "a02-math",
+    "a03-rays-cameras",
+    "a04-intersections",
+    "a05-lighting",
+    "a06-shadows-reflection",
+    "a07-transforms",
+];
+
+/// The parts of the last listing of a program on a page of the book, which empty lines set apart,
+/// by their first lines of code: a later part replaces an earlier one.
+fn parts(page: &str) -> BTreeMap<String, String> {
+    let text = files::read(&format!("book/src/{page}.md")).unwrap();
+    let heading = if page == "first-run" {
+        "## 3. Your first picture"
+    } else {
+        "## Your tracer tonight"
+    };
+    let (_, section) = text.split_once(heading).unwrap();
+    let (_, listing) = section.split_once("```rust,ignore\n").unwrap();
+    let (listing, _) = listing.split_once("```").unwrap();
+    let mut parts = BTreeMap::new();
+    for part in listing.split("\n\n") {
+        let is_code = |line: &&str| !line.starts_with(['/', '#']);
+        let first = part.lines().find(is_code).unwrap_or_default();
+        parts.insert(first.to_owned(), part.to_owned());
+    }
+    parts
+}
+
+/// The picture of each page, by the program as it is there: modules of one program, which is
+/// built once.
+#[test]
+fn the_program_of_the_book_draws_a_picture_on_each_page() {
+    let course = read_all().unwrap();
+    if find("disc").is_err() {
+        eprintln!("skipped: this workbook lacks the stage of the last page");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let common = files::workspace().join("common");
+    let common = format!("[dependencies]\ncommon = {{ path = {common:?} }}\n");
+    write(
+        &folder.join(MANIFEST),
+        &QUICK.replace(DEPENDENCIES, &common),
+    )
+    .unwrap();
+
+    let plane = files::starter(find("plane").unwrap()).unwrap();
+    let code = "let d = ray.direction().dot(self.n);\n        \
+                let t = (self.a - ray.origin()).dot(self.n) / d;\n        \
+                within.contains(t).then(|| Hit::new(t, self.n))";
+    let missing = "testing::missing(\"the hit within the interval\", None)";
+    assert!(plane.contains(missing));
+    let disc = files::read("a07-transforms/exercises/solutions/disc.rs").unwrap();
+    let done = BTreeMap::from([("plane", plane.replace(missing, code)), ("disc", disc)]);
+    let brought = bring(folder, course, &done).unwrap();
+    assert_eq!(brought.yours, ["plane", "disc"]);
+    let manifest = fs::read_to_string(folder.join(MANIFEST)).unwrap();
+    let (quick, _) = manifest.split_once("\n[profile.dev.package.a02").unwrap();
+    write(&folder.join(MANIFEST), quick).unwrap();
+
+    let mut program = BTreeMap::new();
+    let mut main = "#![allow(dead_code)]\nmod functions;\n".to_owned();
+    let mut calls = String::new();
+    for page in PAGES {
+        program.append(&mut parts(page));
+        if page == "a01-image-display" {
+            program.retain(|first, _| !first.starts_with("fn set_pixel"));
+            program.remove("mod functions;");
+            program.insert(
+                "use functions::*;".to_owned(),
+                "use crate::functions::*;".to_owned(),
+            );
+        }
+        let texts: Vec<_> = program.values().map(String::as_str).collect();
+        let text = texts.join("\n\n").replace("fn main()", "pub fn main()");
+        let text = text.replace("let index = 0;", "let index = y * width + x;");
+        let text = text
+            .replace("480, 320", "48, 32")
+            .replace("samples: 16", "samples: 1");
+        let module = page.replace('-', "_");
+        write(&folder.join(format!("src/{module}.rs")), &text).unwrap();
+        let call = format!(
+            "{module}::main().unwrap();\nstd::fs::rename(\"picture.png\", \"{page}\").unwrap();\n"
+        );
+        calls += &call;
+        main.extend(["mod ", &module, ";\n"]);
+    }
+    main.extend(["fn main() {\n", &calls, "}\n"]);
+    write(&folder.join("src/main.rs"), &main).unwrap();
+    let mut cargo = Command::new("cargo");
+    cargo.env("CARGO_TARGET_DIR", files::workspace().join("target"));
+    cargo.args(["run", "--offline"]).current_dir(folder);
+    let output = cargo.output().unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    assert!(!errors.contains("warning"), "{errors}");
+
+    let pictures = PAGES.map(|page| picture_file::open(&folder.join(page)).unwrap());
+    for two in pictures.windows(2) {
+        assert_ne!(two[0], two[1]);
+    }
+    let [first, cross, ball, ..] = pictures;
+    assert_eq!(first.get(100, 100), Some(Color::RED));
+    assert_eq!(first.get(101, 100), Some(Color::BLACK));
+    assert_eq!(cross.get(139, 100), Some(Color::BLUE));
+    // The light comes from there, and arrives with the cosine 1.
+    assert_eq!(ball.get(217, 62), Some(Color::WHITE));
+
+    // A function that is edited in the program stays as it is.
+    let sphere = folder.join("src/functions/sphere.rs");
+    write(&sphere, "pub struct Sphere;\n").unwrap();
+    assert_eq!(bring(folder, course, &done).unwrap().edited, ["sphere"]);
+    assert_eq!(fs::read_to_string(&sphere).unwrap(), "pub struct Sphere;\n");
+}
+
+#[test]
+fn pictures_take_seconds_from_the_first_stage_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(MANIFEST);
+    write(&path, DEPENDENCIES).unwrap();
+    let solution = files::read("a01-image-display/exercises/solutions/diagonal.rs").unwrap();
+    let done = BTreeMap::from([("diagonal", solution)]);
+    bring(folder.path(), read_all().unwrap(), &done).unwrap();
+    let manifest = fs::read_to_string(&path).unwrap();
+    assert!(manifest.contains("[profile.dev.package.common]\nopt-level = 3\n"));
+    assert!(!manifest.contains("a02-math"), "{manifest}");
+    assert!(folder.path().join("Cargo.lock").is_file());
+}
+
+#[test]
+fn examples_are_left_out() {
+    let text = "use crate::prelude::*;\n\ntesting::examples! {\n    f();\n}\n\nfn g() {\n}\n";
+    assert_eq!(in_program(text), "use super::*;\n\n\nfn g() {\n}\n");
+    assert_eq!(in_program("use a;\ntesting::examples! {}"), "use a;\n");
+}
