@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { ppm }
 
 type Code = fn(&Image) -> Vec<u8>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let pictures = Questions {
@@ -32,11 +31,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: all([pictures.into(), between_bytes.into()]),
-        wrong: vec![Other::new("the width comes before the height", |image| {
-            let (width, height) = (image.size().width(), image.size().height());
-            let lines = format!("P6\n{height} {width}\n255\n");
-            [lines.into_bytes(), image.to_rgb8(Transfer::Linear)].concat()
-        })],
         ..Exercise::default()
     }
 }

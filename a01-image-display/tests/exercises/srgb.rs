@@ -10,8 +10,6 @@ pub struct Code {
     pub decode: fn(f64) -> f64,
 }
 
-type Other = Variant<Code>;
-
 pub fn exercise() -> Exercise<Code> {
     let simple = vec![1.0, 0.0, 0.5, 0.02, 0.002, 0.0031, 0.0032, 0.04, 0.041];
     // Above and below the border between both parts.
@@ -31,19 +29,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: all([lights.into(), values.into()]),
         picture: Picture::own(test_card),
-        wrong: vec![
-            Other::new(
-                "the curve is near to a power of 2.2, but another",
-                Code {
-                    encode: |light| libm::pow(light, 1.0 / 2.2),
-                    decode: |value| libm::pow(value, 2.2),
-                },
-            ),
-            Other::from_right("near black the curve is a straight line", |right| Code {
-                encode: |light| 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055,
-                ..right
-            }),
-        ],
         ..Exercise::default()
     }
 }

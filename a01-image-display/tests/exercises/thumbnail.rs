@@ -1,12 +1,10 @@
 //! Pictures of random greys, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::thumbnail::thumbnail;
 
 yours! { thumbnail }
 
 type Code = fn(&Image, u32) -> Result<Image, Error>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let pictures = Questions {
@@ -32,24 +30,6 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::own(|thumbnail: &Code, _| {
             thumbnail(&ShowImage::test_card()?.into_image(), 4)
         }),
-        wrong: vec![
-            Other::new(
-                "a mean is over the whole square, not one pixel",
-                |image, n| {
-                    let pixel = |x, y| image.get(x * n, y * n).unwrap_or_default();
-                    Image::from_fn(thumbnail(image, n)?.size(), pixel)
-                },
-            ),
-            Other::new(
-                "a square that the edge cuts off has fewer pixels",
-                |image, n| {
-                    let size = thumbnail(image, n)?.size();
-                    let size = Size::new(size.width() * n, size.height() * n)?;
-                    let padded = Image::from_fn(size, |x, y| image.get(x, y).unwrap_or_default())?;
-                    thumbnail(&padded, n)
-                },
-            ),
-        ],
         ..Exercise::default()
     }
 }

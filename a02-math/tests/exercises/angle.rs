@@ -1,7 +1,5 @@
 //! Vectors of all lengths, compared with the solution.
 
-use a01_image_display::Canvas;
-
 use crate::prelude::*;
 
 yours! { angle }
@@ -61,36 +59,17 @@ fn cosine(a: Vector3, b: Vector3) -> f64 {
 /// those to points that are almost on the arrow, in bands of a hundred-millionth.
 fn fans(angle: Code, settings: &Settings) -> Result<Image, Error> {
     let arrow = Vector3::new(1.0, 0.0, 0.0);
-    let colors = Image::from_fn(settings.size, |x, y| {
-        let [x, up] = [f64::from(x), 130.0 - f64::from(y)];
-        if up.abs() > 100.0 {
-            return Color::WHITE;
-        }
+    Image::from_fn(settings.size, |x, y| {
+        let [x, up] = [f64::from(x), 120.0 - f64::from(y)];
         if x < 160.0 {
             // Lengths from 0 to 2.
-            let to_point = Vector3::new((x - 80.0) / 50.0, up / 50.0, 0.0);
+            let to_point = Vector3::new((x - 80.0) / 60.0, up / 60.0, 0.0);
             return in_bands(angle(arrow, to_point) / std::f64::consts::PI, 12.0);
         }
         let largest = 1e-7;
-        let to_point = Vector3::new(1.0, up / 100.0 * largest, 0.0);
+        let to_point = Vector3::new(1.0, up / 120.0 * largest, 0.0);
         in_bands(angle(arrow, to_point) / largest, 10.0)
-    })?;
-    let mut canvas = Canvas::new(settings.size, Color::WHITE)?;
-    let ink = Color::gray(0.15);
-    canvas.text((12.0, 8.0), 1, ink, "15\u{b0} each");
-    canvas.text((172.0, 8.0), 1, ink, "0.00000001 each");
-    let mut image = canvas.into_image();
-    for y in 30..settings.size.height() {
-        for x in 0..settings.size.width() {
-            let is_gap = x.abs_diff(160) < 4;
-            image.set(
-                x,
-                y,
-                colors.get(x, y).filter(|_| !is_gap).unwrap_or(Color::WHITE),
-            );
-        }
-    }
-    Ok(image)
+    })
 }
 
 /// A colour from blue at 0 to orange at 1, in this number of bands, every other one darker.

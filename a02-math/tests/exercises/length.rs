@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { length }
 
 type Code = fn(f64, f64, f64) -> f64;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let vectors = Questions {
@@ -30,21 +29,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: vectors.into(),
-        wrong: vec![
-            Other::new("squares overflow", |x, y, z| divided([x, y, z], 1.0)),
-            Other::new("the largest coordinate may be negative", |x, y, z| {
-                divided([x, y, z], x.max(y).max(z))
-            }),
-            Other::new("0 / 0 is not a number", |x, y, z| {
-                divided([x, y, z], x.abs().max(y.abs()).max(z.abs()))
-            }),
-        ],
         ..Exercise::default()
     }
-}
-
-/// The length of a vector that is divided by a number first, and multiplied by it afterwards.
-fn divided(coordinates: [f64; 3], by: f64) -> f64 {
-    let [x, y, z] = coordinates.map(|coordinate| coordinate / by);
-    by * (x * x + y * y + z * z).sqrt()
 }

@@ -49,7 +49,7 @@ pub fn exercise() -> Exercise<Code> {
 /// Distance of the focus of the mirror from its lowest point, in pixels.
 const FOCUS: f64 = 110.0;
 
-/// A parabola, which mirrors all light along its axis into its focus, a ring; and light from below,
+/// A parabola, which mirrors all light along its axis into its focus, a dot; and light from below,
 /// which its back mirrors outwards.
 fn parabola(reflected: Code, settings: &Settings) -> Result<Image, Error> {
     let mut canvas = Canvas::new(settings.size, Color::WHITE)?;
@@ -75,12 +75,7 @@ fn parabola(reflected: Code, settings: &Settings) -> Result<Image, Error> {
             canvas.arrow(place(x, at), place(x + away.x(), at + away.y()), 1.5, color);
         }
     }
-    for step in 0..24 {
-        let corner = |step: u32| {
-            let (sine, cosine) = libm::sincos(f64::from(step) / 24.0 * std::f64::consts::TAU);
-            place(7.0 * cosine, FOCUS + 7.0 * sine)
-        };
-        canvas.line(corner(step), corner(step + 1), 2.0, Color::gray(0.15));
-    }
+    let focus = place(0.0, FOCUS);
+    canvas.line(focus, focus, 12.0, Color::gray(0.15));
     Ok(canvas.into_image())
 }

@@ -1,12 +1,10 @@
 //! Normals and stretches of all kinds, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::stretched_normal::stretched_normal as right;
 
 yours! { stretched_normal }
 
 type Code = fn(Normal3, [f64; 3]) -> Option<Normal3>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let n = [1.0, 1.0, 0.0];
@@ -33,16 +31,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: normals.into(),
-        wrong: vec![
-            Other::new(
-                "a normal is divided where points are multiplied",
-                |n, factors| right(n, factors.map(|f| 1.0 / f)),
-            ),
-            Other::new("the normal is to have length 1 again", |n, [x, y, z]| {
-                right(n, [x, y, z])?;
-                Some(Normal3::new(n.x() / x, n.y() / y, n.z() / z))
-            }),
-        ],
         ..Exercise::default()
     }
 }

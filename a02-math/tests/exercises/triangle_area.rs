@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { triangle_area }
 
 type Code = fn(Point3, Point3, Point3) -> f64;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let [o, x, y] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
@@ -28,18 +27,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: triangles.into(),
-        wrong: vec![
-            Other::new("a triangle is half of the parallelogram", |p, q, r| {
-                (q - p).parallelogram_area(r - p)
-            }),
-            Other::new("Heron's sides lose the height of a flat triangle", heron),
-        ],
         ..Exercise::default()
     }
-}
-
-fn heron(p: Point3, q: Point3, r: Point3) -> f64 {
-    let [a, b, c] = [r - q, p - r, q - p].map(Vector3::magnitude);
-    let s = (a + b + c) / 2.0;
-    (s * (s - a) * (s - b) * (s - c)).sqrt()
 }

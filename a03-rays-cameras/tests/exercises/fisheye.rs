@@ -10,7 +10,6 @@ yours! {
 
 /// Makes a camera of eye, gaze and angle.
 type Code = NewCamera<([f64; 3], [f64; 3], f64)>;
-type Other = Variant<Code>;
 
 pub fn basis(e: [f64; 3], gaze: [f64; 3]) -> Made<Basis> {
     Basis::new(point(e), vector(gaze), Vector3::new(0.0, 1.0, 0.0))
@@ -22,13 +21,6 @@ pub fn exercise() -> Exercise<Code> {
             let camera = new(([1.0, 2.0, 3.0], [0.0, 0.3, -1.0], PI))?;
             render(&*camera, globe, settings, &())
         }),
-        wrong: vec![Other::new(
-            "the distance is the angle, not its tangent",
-            new_camera(|(e, gaze, angle)| {
-                let Basis { e, v, w, .. } = basis(e, gaze)?;
-                PerspectiveCamera::new(e, -w, v, angle)
-            }),
-        )],
         ..cameras(Cameras {
             words: "eye {}, gaze {}, field of view {}",
             first: ([0.0; 3], [0.0, 0.0, -1.0], PI),

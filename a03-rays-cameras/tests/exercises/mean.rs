@@ -1,12 +1,10 @@
 //! Numbers of all sizes, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::mean::mean as right;
 
 yours! { mean }
 
 type Code = fn(&[f64]) -> f64;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let lists = Questions {
@@ -31,14 +29,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: lists.into(),
-        wrong: vec![
-            Other::new("the errors of a plain sum add up", |numbers| {
-                numbers.iter().sum::<f64>() / numbers.len().max(1) as f64
-            }),
-            Other::new("the mean of nothing is 0, not 0 / 0", |numbers| {
-                right(numbers) + 0.0 / numbers.len() as f64
-            }),
-        ],
         ..Exercise::default()
     }
 }

@@ -27,7 +27,10 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: pixels.into(),
-        picture: Picture::own(landscape),
+        picture: Picture::scene("striped-sky", |picture: &Code, settings| {
+            let View { camera, world } = scenes::striped_sky(settings.size, StripeRule::Direction)?;
+            picture(&*camera, &|ray| world.color_for(ray), settings)
+        }),
         wrong: vec![
             Other::new(
                 "rows are counted from the top",
@@ -123,64 +126,4 @@ fn sum(samples: &[Color]) -> Color {
         sum += *color;
     }
     sum
-}
-
-/// How many pixels wide and high a pixel of the landscape is shown.
-const ENLARGED: u32 = 4;
-
-/// A house before a hill under the sun, with large pixels: on the left with one sample of a pixel, on
-/// the right with the nine of the largest grid that 15 allow.
-fn landscape(picture: &Code, settings: &Settings) -> Result<Image, Error> {
-    let half = Size::new(
-        settings.size.width() / 2 / ENLARGED,
-        settings.size.height() / ENLARGED,
-    )?;
-    let ahead = Vector3::new(0.0, 0.0, -1.0);
-    let camera = OwnCamera(move |[width, _]: [f64; 2], [x, y]: [f64; 2]| {
-        Ray::derived(Point3::new(x / width, y / width, 0.0), ahead)
-    });
-    let halves = [(Sampling::Center, 1), (Sampling::Regular, 15)].map(|(sampling, samples)| {
-        let settings = Settings {
-            size: half,
-            sampling,
-            samples,
-            ..settings.clone()
-        };
-        picture(
-            &camera,
-            &|ray| seen_at(ray.origin().x(), ray.origin().y()),
-            &settings,
-        )
-    });
-    let [left, right] = halves;
-    let (left, right) = (left?, right?);
-    Image::from_fn(settings.size, |x, y| {
-        let (column, row) = (x / ENLARGED, y / ENLARGED);
-        let color = if column < half.width() {
-            left.get(column, row)
-        } else {
-            right.get(column - half.width(), row)
-        };
-        let is_gap = x.abs_diff(settings.size.width() / 2) < 2;
-        color.filter(|_| !is_gap).unwrap_or(Color::WHITE)
-    })
-}
-
-/// The colour of the landscape, whose width is 1.
-fn seen_at(x: f64, y: f64) -> Color {
-    let from_sun = [x - 0.72, y - 1.2];
-    let from_middle = (x - 0.42).abs();
-    if y < 0.3 {
-        Color::new(0.25, 0.5, 0.2)
-    } else if from_middle < 0.2 && y < 0.62 {
-        Color::new(0.9, 0.85, 0.7)
-    } else if y < 0.9 - 1.1 * from_middle && y >= 0.62 {
-        Color::new(0.75, 0.2, 0.1)
-    } else if y < 0.75 - 0.8 * (x - 0.9) * (x - 0.9) {
-        Color::new(0.15, 0.35, 0.25)
-    } else if from_sun[0] * from_sun[0] + from_sun[1] * from_sun[1] < 0.014 {
-        Color::new(1.0, 0.85, 0.2)
-    } else {
-        Color::new(0.45, 0.65, 0.95)
-    }
 }

@@ -1,12 +1,10 @@
 //! Numbers in many bases, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::radical_inverse::radical_inverse as right;
 
 yours! { radical_inverse }
 
 type Code = fn(u32, u32) -> f64;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let numbers = Questions {
@@ -31,10 +29,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: numbers.into(),
         picture: Picture::own(points),
-        wrong: vec![Other::new(
-            "digits stand behind the point, not before it",
-            |n, base| right(n, base) * f64::from(base),
-        )],
         ..Exercise::default()
     }
 }

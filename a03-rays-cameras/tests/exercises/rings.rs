@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { ring }
 
 type Code = fn(Vector3, Vector3, f64) -> u32;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let up = [0.0, 1.0, 0.0];
@@ -36,15 +35,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: directions.into(),
         picture: Picture::own(|ring: &Code, settings| sky_of_rings(*ring, settings)),
-        wrong: vec![
-            Other::new("an arc cosine near 1 has few digits", |d, pole, width| {
-                let cosine = d.dot(pole) / (d.magnitude() * pole.magnitude());
-                (libm::acos(cosine.clamp(-1.0, 1.0)) / width) as u32
-            }),
-            Other::new("a number of a ring is rounded down", |d, pole, width| {
-                (d.angle(pole) / width).round() as u32
-            }),
-        ],
         ..Exercise::default()
     }
 }

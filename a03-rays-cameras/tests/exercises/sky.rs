@@ -1,4 +1,4 @@
-//! What examples and pictures of cameras use.
+//! What examples of cameras use.
 
 #[allow(
     unused_imports,
@@ -12,22 +12,4 @@ use crate::prelude::*;
 pub fn direction(camera: &impl Camera, size: Size, x: f64, y: f64) -> [f64; 3] {
     let ray = camera.ray_for(size, x, y);
     array(ray.direction())
-}
-
-/// Marks positions by black crosses. They are counted in pixels from the middle, to the right and
-/// upwards.
-pub fn mark(image: &mut Image, positions: &[[f64; 2]]) {
-    let [width, height] = [image.size().width(), image.size().height()].map(f64::from);
-    for [right, up] in positions {
-        let column = (width / 2.0 + right).floor();
-        let row = (height / 2.0 - up).floor();
-        for step in -4..=4 {
-            let step = f64::from(step);
-            for [x, y] in [[column + step, row], [column, row + step]] {
-                if x >= 0.0 && y >= 0.0 {
-                    image.set(x as u32, y as u32, Color::BLACK);
-                }
-            }
-        }
-    }
 }

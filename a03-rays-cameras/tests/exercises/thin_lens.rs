@@ -1,12 +1,10 @@
 //! Rays through all points of lenses, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::thin_lens::through_lens as right;
 
 yours! { through_lens }
 
 type Code = fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let (eye, gaze) = ([0.0; 3], [0.0, 0.0, -1.0]);
@@ -32,28 +30,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(walls),
-        wrong: vec![
-            Other::new(
-                "the focus is a plane, not a ball",
-                |basis, focus, ray, on_lens| {
-                    right(basis, focus * -basis.w.dot(ray.direction()), ray, on_lens)
-                },
-            ),
-            Other::new(
-                "the direction has length 1",
-                |basis, focus, ray, on_lens| {
-                    let ray = right(basis, focus, ray, on_lens);
-                    Ray::derived(ray.origin(), ray.direction() * focus)
-                },
-            ),
-            Other::new(
-                "from another place, the direction is another",
-                |basis, focus, ray, on_lens| {
-                    let origin = right(basis, focus, ray, on_lens).origin();
-                    Ray::derived(origin, ray.direction())
-                },
-            ),
-        ],
         ..Exercise::default()
     }
 }

@@ -1,12 +1,10 @@
 //! Points in cubes and on their faces, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::checkerboard::checkerboard as right;
 
 yours! { checkerboard }
 
 type Code = fn(Point3, Normal3) -> Color;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let mut simple = Vec::new();
@@ -48,18 +46,6 @@ pub fn exercise() -> Exercise<Code> {
                 checkerboard(p, n) * 0.7 + Color::gray(0.15)
             })
         }),
-        wrong: vec![
-            Other::new("a cast cuts off: -0.5 and 0.5 become 0", |p, n| {
-                let below = p - Vector3::from(n) * 1e-6;
-                right(Point3::from_glam(below.to_glam().trunc()), NONE)
-            }),
-            Other::new("on a face, rounding chooses the cube", |p, _| {
-                right(p, NONE)
-            }),
-            Other::new("below the surface is against the normal", |p, n| {
-                right(p, -n)
-            }),
-        ],
         ..Exercise::default()
     }
 }
@@ -81,8 +67,6 @@ fn beside_faces() -> Vec<([f64; 3], [f64; 3])> {
     points.push(([0.5, 0.0625, 0.5], [0.6, 0.8, 0.0]));
     points
 }
-
-const NONE: Normal3 = Normal3::new(0.0, 0.0, 0.0);
 
 fn floor_and_box() -> Made<World<Color>> {
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;

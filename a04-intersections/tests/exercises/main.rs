@@ -11,6 +11,7 @@ mod prelude {
     pub use a03_rays_cameras::*;
     pub use a04_intersections::scenes::*;
     pub use a04_intersections::*;
+    pub use a04_kinds::boxes::*;
     pub use a04_kinds::rays::*;
     pub use a04_kinds::shape::*;
     pub use a04_kinds::shown::*;

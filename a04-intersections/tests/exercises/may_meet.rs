@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { may_meet }
 
 type Code = fn(Point3, f64, &Ray) -> bool;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let ray = |o, d| Ray::derived(point(o), vector(d));
@@ -44,18 +43,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: spheres.into(),
-        wrong: vec![
-            Other::new("a ray has nothing behind its origin", |c, r, ray| {
-                (ray.at(ray.t_of(c)) - c).magnitude() <= r
-            }),
-            Other::new(
-                "inside it is near, though its centre is behind",
-                |c, r, ray| ray.t_of(c) >= 0.0 && (ray.at(ray.t_of(c)) - c).magnitude() <= r,
-            ),
-            Other::new("a ray that just touches comes near enough", |c, r, ray| {
-                (ray.at(ray.t_of(c).max(0.0)) - c).magnitude() < r
-            }),
-        ],
         ..Exercise::default()
     }
 }

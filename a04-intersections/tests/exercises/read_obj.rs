@@ -3,12 +3,10 @@
 use a04_intersections::kinds::{Content, ShapeKind};
 
 use crate::prelude::*;
-use crate::solutions::read_obj::read_obj as right;
 
 yours! { read_obj }
 
 type Code = fn(&str) -> Result<Vec<Triangle>, String>;
-type Other = Variant<Code>;
 
 /// Lines after three corners.
 const LINES: [&str; 18] = [
@@ -59,17 +57,6 @@ pub fn exercise() -> Exercise<Code> {
             };
             eye.show_shapes(house, settings)
         }),
-        wrong: vec![
-            Other::new("n corners make n - 2 triangles", |text| {
-                Ok(right(text)?.into_iter().take(1).collect())
-            }),
-            Other::new("lines are counted from 1", |text| {
-                right(text).map_err(|error| error.replace("line 4", "line 3"))
-            }),
-            Other::new("vt and vn are no corners", |text| {
-                right(&text.replace("vt ", "v "))
-            }),
-        ],
         ..Exercise::default()
     }
 }

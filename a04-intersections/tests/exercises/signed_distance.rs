@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { signed_distance }
 
 type Code = fn(Point3, Normal3, Point3) -> f64;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let (a, up) = ([7.0, -1.0, 0.0], [0.0, 1.0, 0.0]);
@@ -26,14 +25,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: points.into(),
-        wrong: vec![
-            Other::new("n may have any length: divide by it", |a, n, p| {
-                (p - a).dot(n)
-            }),
-            Other::new("n · n is the length squared", |a, n, p| {
-                (p - a).dot(n) / n.dot(n)
-            }),
-        ],
         ..Exercise::default()
     }
 }

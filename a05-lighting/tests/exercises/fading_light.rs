@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { fading_light => light_at(|(c, lamp), p| fading_light(c, point(lamp), p)) }
 
 type Code = LightAt<(Color, [f64; 3])>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
@@ -15,15 +14,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
-        wrong: vec![Other::from_right(
-            "twice as far away is a quarter, not half",
-            |right| {
-                light_at(move |(c, lamp), p| {
-                    let distance = (point(lamp) - p).magnitude();
-                    right((c * distance, lamp), p)
-                })
-            },
-        )],
         ..lights([Lights {
             words: "lamp {} at {}",
             first: (Color::new(1.0, 0.5, 0.25), LAMP),

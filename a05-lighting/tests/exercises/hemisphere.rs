@@ -1,13 +1,10 @@
 //! Surfaces that face all directions, compared with the solution.
 
-use std::f64::consts::PI;
-
 use crate::prelude::*;
 
 yours! { hemisphere }
 
 type Code = fn([Color; 3], Normal3) -> Color;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let day = [
@@ -38,23 +35,6 @@ pub fn exercise() -> Exercise<Code> {
                 hemisphere([diffuse, sky, ground], hit.normal)
             })
         }),
-        wrong: vec![
-            Other::new("walls see half the sky", |colors, n| {
-                mixed(colors, n.y().max(0.0))
-            }),
-            Other::new("a fraction is between 0 and 1", |colors, n| {
-                mixed(colors, n.y())
-            }),
-            Other::new(
-                "the fraction follows from the cosine, not the angle",
-                |colors, n| mixed(colors, 1.0 - libm::acos(n.y()) / PI),
-            ),
-        ],
         ..Exercise::default()
     }
-}
-
-/// Sky and ground, with this fraction of the sky.
-fn mixed([diffuse, sky, ground]: [Color; 3], fraction: f64) -> Color {
-    diffuse * (sky * fraction + ground * (1.0 - fraction))
 }

@@ -8,8 +8,15 @@ type Code = LightAt<(Color, [f64; 3])>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
+    let lit = Lit {
+        view: scenes::phong,
+        name: "PointLight",
+        light: (Color::WHITE, [4.0; 3]),
+    };
     Exercise {
-        picture: Picture::own(three_lamps),
+        picture: Picture::scene("phong", move |light, settings| {
+            lit.rendered(light, settings)
+        }),
         wrong: vec![Other::from_right(
             "this lamp is as bright at every distance",
             |right| {
@@ -31,37 +38,4 @@ pub fn exercise() -> Exercise<Code> {
             any: |r| (r.color(), r.triple(5.0)),
         }])
     }
-}
-
-/// A white floor and a white ball in the light of a red, a green and a blue lamp. Around each lamp,
-/// rings are at whole distances.
-fn three_lamps(light: &Code, settings: &Settings) -> Result<Image, Error> {
-    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
-    let ball = Sphere::new(Point3::new(0.0, 0.7, 0.0), 0.7)?;
-    let world = World::new(Color::BLACK)?
-        .with(floor, Color::WHITE)
-        .with(ball, Color::WHITE);
-    let eye = Point3::new(0.0, 4.5, 6.0);
-    let (gaze, up) = (Point3::ORIGIN - eye, Vector3::new(0.0, 1.0, 0.0));
-    let camera = PerspectiveCamera::new(eye, gaze, up, 0.75)?;
-    let lamps = [
-        (Color::new(0.8, 0.1, 0.1), [-1.7, 1.2, 1.0]),
-        (Color::new(0.1, 0.7, 0.1), [1.7, 1.2, 1.0]),
-        (Color::new(0.1, 0.2, 0.9), [0.0, 1.5, -2.0]),
-    ];
-    let seen = |ray: &Ray| {
-        let mut sum = world.background();
-        let Some((hit, _)) = world.hit(ray, Interval::AHEAD) else {
-            return sum;
-        };
-        for lamp in lamps {
-            if let Some(arriving) = light(lamp, ray.at(hit.t)) {
-                let cosine = hit.normal.dot(arriving.direction).max(0.0);
-                let is_ring = arriving.distance.fract() < 0.04;
-                sum += arriving.color * cosine * if is_ring { 0.6 } else { 1.0 };
-            }
-        }
-        sum
-    };
-    paint(&camera, &seen, settings)
 }

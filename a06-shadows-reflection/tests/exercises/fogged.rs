@@ -1,13 +1,11 @@
 //! Colours in fog, thick and thin, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::fogged::fogged as right;
 
 yours! { fogged }
 
 /// The colour behind fog: of a colour, that of the fog, its density, and the distance.
 type Code = fn(Color, Color, f64, f64) -> Color;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let inf = f64::INFINITY;
@@ -37,25 +35,6 @@ pub fn exercise() -> Exercise<Code> {
                 fogged(clear, Color::new(0.7, 0.75, 0.8), 0.08, distance)
             })
         }),
-        wrong: vec![
-            Other::new(
-                "0 times infinity is not a number",
-                |own, fog, density, distance| mixed(own, fog, libm::exp(-density * distance)),
-            ),
-            Other::new(
-                "each metre takes a fraction of what is left",
-                |own, fog, density, distance| mixed(own, fog, 1.0 - (density * distance).min(1.0)),
-            ),
-            Other::new(
-                "the fog adds its own colour",
-                |own, _, density, distance| right(own, Color::BLACK, density, distance),
-            ),
-        ],
         ..Exercise::default()
     }
-}
-
-/// The mixture by the fraction that is left of the colour.
-fn mixed(own: Color, fog: Color, left: f64) -> Color {
-    own * left + fog * (1.0 - left)
 }

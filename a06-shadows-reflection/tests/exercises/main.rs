@@ -2,7 +2,6 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-mod coarse_ball;
 mod departure;
 mod traced;
 

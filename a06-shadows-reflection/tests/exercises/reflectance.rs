@@ -1,13 +1,11 @@
 //! Surfaces between all indices, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::reflectance::reflectance as right;
 
 yours! { reflectance }
 
 /// The reflectance by the cosine and the indices before and beyond the surface.
 type Code = fn(f64, f64, f64) -> f64;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let surfaces = Questions {
@@ -30,19 +28,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: surfaces.into(),
         picture: Picture::own(of_diamond),
-        wrong: vec![
-            Other::new(
-                "Schlick's formula is only near to Fresnel's",
-                |cosine, from, to| {
-                    let straight = right(1.0, from, to);
-                    straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
-                },
-            ),
-            Other::new(
-                "a fraction is the square of an amplitude",
-                |cosine, from, to| right(cosine, from, to).sqrt(),
-            ),
-        ],
         ..Exercise::default()
     }
 }

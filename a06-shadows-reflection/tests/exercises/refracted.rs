@@ -2,13 +2,11 @@
 //! the solution.
 
 use crate::prelude::*;
-use crate::solutions::refracted::refracted as right;
 
 yours! { refracted }
 
 /// The direction beyond a surface: by the direction before, the normal, and the index.
 type Code = fn(Vector3, Normal3, f64) -> Option<Vector3>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     // Straight in and out, aslant in, mirrored, and aslant out.
@@ -40,22 +38,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(under_water),
-        wrong: vec![
-            Other::new("the way out bends away from the normal", |d, n, index| {
-                let towards_light = if d.dot(n) > 0.0 { -n } else { n };
-                snell(d, towards_light, 1.0 / index)
-            }),
-            Other::new(
-                "from inside, the normal points along the light",
-                |d, n, index| {
-                    let ratio = if d.dot(n) > 0.0 { index } else { 1.0 / index };
-                    snell(d, n, ratio)
-                },
-            ),
-            Other::new("no sine is more than 1", |d, n, index| {
-                right(d, n, index).or(Some((-d).reflected_on(n)))
-            }),
-        ],
         ..Exercise::default()
     }
 }
@@ -70,11 +52,4 @@ fn under_water(refracted: &Code, settings: &Settings) -> Result<Image, Error> {
         let t = (surface - ray.origin().y()) / ray.direction().y();
         RecursiveTracer::new(world).trace(&Ray::derived(ray.at(t), below), depth)
     })
-}
-
-/// Snell's law with the normal on the side of the light, and the ratio of the indices.
-fn snell(d: Vector3, n: Normal3, ratio: f64) -> Option<Vector3> {
-    let cos = -d.dot(n);
-    let squared = 1.0 - ratio * ratio * (1.0 - cos * cos);
-    (squared >= 0.0).then(|| d * ratio + n * (ratio * cos - squared.sqrt()))
 }

@@ -1,13 +1,11 @@
 //! Points on triangles that stand for bulges and for hollows, compared with the solution.
 
-use crate::coarse_ball;
 use crate::prelude::*;
 
 yours! { shadow_start }
 
 /// The start of the shadow rays, by the corners, their normals, and the weights of the point.
 type Code = fn(Corners, [Normal3; 3], [f64; 3]) -> Point3;
-type Other = Variant<Code>;
 
 /// The corners of a triangle.
 type Corners = [Point3; 3];
@@ -35,25 +33,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: points.into(),
-        picture: Picture::own(|shadow_start: &Code, settings| {
-            coarse_ball::picture(shadow_start, settings)
-        }),
-        wrong: vec![
-            Other::new(
-                "the curved surface lies above the triangle",
-                |corners, _, weights| mean(corners, weights),
-            ),
-            Other::new(
-                "over a hollow the point stays",
-                |corners, normals, weights| raised(corners, normals, weights, |depth| depth),
-            ),
-            Other::new(
-                "below a plane the depth is positive",
-                |corners, normals, weights| {
-                    raised(corners, normals, weights, |depth| (-depth).max(0.0))
-                },
-            ),
-        ],
         ..Exercise::default()
     }
 }
@@ -66,25 +45,4 @@ fn any(r: &mut Random) -> ([[f64; 3]; 3], [[f64; 3]; 3], [f64; 3]) {
     let beta = r.between(0.0, 1.0);
     let gamma = (1.0 - beta) * r.between(0.0, 1.0);
     (corners, normals, [1.0 - beta - gamma, beta, gamma])
-}
-
-/// The mean of three points by their weights.
-fn mean([a, b, c]: Corners, weights: [f64; 3]) -> Point3 {
-    a + (b - a) * weights[1] + (c - a) * weights[2]
-}
-
-/// The start that rises from the depth below each corner's plane by another length.
-fn raised(
-    corners: Corners,
-    normals: [Normal3; 3],
-    weights: [f64; 3],
-    rise: fn(f64) -> f64,
-) -> Point3 {
-    let p = mean(corners, weights);
-    let mut start = p;
-    for corner in 0..3 {
-        let depth = (corners[corner] - p).dot(normals[corner]);
-        start = start + Vector3::from(normals[corner]) * (weights[corner] * rise(depth));
-    }
-    start
 }

@@ -31,7 +31,13 @@ type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(flower),
+        picture: BOX_SCENE.with(|new: &Code, world| {
+            let node = new(Parts {
+                steps: steps_of_box().to_vec(),
+                children: || Ok(vec![Box::new(upright_box()?)]),
+            })?;
+            Ok(world.with(node, yellow()?))
+        }),
         wrong: vec![
             Other::new(
                 "the nearest counts, not the first of the list",
@@ -129,39 +135,4 @@ fn of_all_hits(choice: Choice) -> Code {
             Some(hit)
         }))
     })
-}
-
-/// A flower of nodes: each petal is a flattened ball with a drop on it, moved outwards and rotated.
-fn flower(new: &Code, settings: &Settings) -> Result<Image, Error> {
-    let eye = Eye {
-        from: [0.0, 5.0, 6.0],
-        to: [0.0, 0.0, 0.0],
-    };
-    let mut world = World::new(Color::new(0.05, 0.06, 0.1))?;
-    let middle = new(Parts {
-        steps: vec![Step::Scale([0.8, 0.5, 0.8])],
-        children: || Ok(vec![Box::new(Sphere::new(Point3::ORIGIN, 1.0)?)]),
-    })?;
-    world = world.with(middle, Color::new(1.0, 0.75, 0.2));
-    for petal in 0..9 {
-        let node = new(Parts {
-            steps: vec![
-                Step::Rotate(1, f64::from(petal) * TAU / 9.0),
-                Step::Rotate(2, 0.3),
-                Step::Translate([1.8, 0.0, 0.0]),
-                Step::Scale([1.1, 0.2, 0.5]),
-            ],
-            children: petal_and_drop,
-        })?;
-        world = world.with(node, Color::new(0.9, 0.35, 0.5));
-    }
-    eye.show(&world, settings, &|color, _, n| {
-        color * (0.35 + 0.15 * n.x() + 0.4 * n.y() + 0.25 * n.z())
-    })
-}
-
-fn petal_and_drop() -> Made<Vec<Shape>> {
-    let petal = Sphere::new(Point3::ORIGIN, 1.0)?;
-    let drop = Sphere::new(Point3::new(0.4, 0.9, 0.0), 0.35)?;
-    Ok(vec![Box::new(petal), Box::new(drop)])
 }

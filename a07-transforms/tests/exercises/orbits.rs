@@ -1,12 +1,10 @@
 //! Earth and moon at any time, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::orbits::orbits as right;
 
 yours! { orbits }
 
 type Code = fn(f64, f64) -> Made<[Transform; 2]>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let times = Questions {
@@ -35,21 +33,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: times.into(),
         picture: lit(eye, twelve_months),
-        wrong: vec![
-            Other::new("the earth is turned after it is moved", |year, month| {
-                let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
-                let [_, moon] = right(year, month)?;
-                Ok([moved.rotate_y(year)?, moon])
-            }),
-            Other::new("the moon is a child of the earth", |year, month| {
-                let ([earth, _], [_, moon]) = (right(year, month)?, right(0.0, month)?);
-                Ok([earth, moon])
-            }),
-            Other::new(
-                "the angles are in radians, not in degrees",
-                |year, month| right(year.to_radians(), month.to_radians()),
-            ),
-        ],
         ..Exercise::default()
     }
 }

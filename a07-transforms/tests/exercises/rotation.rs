@@ -1,12 +1,10 @@
 //! Rotations about all axes, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::rotation::rotation as right;
 
 yours! { rotation }
 
 type Code = fn(Vector3, f64) -> Made<Transform>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let rotations = Questions {
@@ -36,16 +34,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rotations.into(),
         picture: lit(eye, wheel),
-        wrong: vec![
-            Other::new("the arc tangent of x / z knows no quadrant", |k, angle| {
-                let side = k.z().signum();
-                right(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
-            }),
-            Other::new(
-                "a turn is counterclockwise for an eye before the axis",
-                |axis, angle| right(axis, -angle),
-            ),
-        ],
         ..Exercise::default()
     }
 }

@@ -50,7 +50,6 @@ impl Input for Upright {
 
 /// Makes a shape that leans by this much.
 type Code = NewShape<(Upright, f64)>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let eye = Eye {
@@ -59,18 +58,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit(eye, beam_and_ball),
-        wrong: vec![
-            Other::from_right("both normals lean", |right| {
-                changed(right, |leaning, ray, within| {
-                    let Hit { t, normal, .. } = leaning.hit(ray, within)?;
-                    Some(Hit::new(t, normal))
-                })
-            }),
-            Other::from_right(
-                "t counts steps of the direction, whose length a shear changes",
-                with_unit_directions,
-            ),
-        ],
         ..shapes(Shapes {
             words: "{} sheared by {}",
             first: (Upright::Ball, 0.5),
@@ -84,24 +71,6 @@ pub fn exercise() -> Exercise<Code> {
             },
         })
     }
-}
-
-/// Shapes whose `t` counts steps of a direction that is normalised after it is sheared back.
-fn with_unit_directions(right: Code) -> Code {
-    new_shape(move |(upright, by)| {
-        let leaning = right((upright, by))?;
-        Ok(own(move |ray: &Ray, within: Interval| {
-            let d = ray.direction();
-            let length = Vector3::new(d.x() - by * d.y(), d.y(), d.z()).magnitude();
-            let within = Interval {
-                min: within.min / length,
-                max: within.max / length,
-            };
-            let mut hit = leaning.hit(ray, within)?;
-            hit.t *= length;
-            Some(hit)
-        }))
-    })
 }
 
 fn beam_and_ball(new: &Code) -> Made<World<Color>> {

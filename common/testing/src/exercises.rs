@@ -8,7 +8,7 @@
 //!    starter.
 //! 2. The check, `tests/exercises/NAME.rs`, has a function `exercise()`, which returns an
 //!    [`Exercise`]: for each sentence of the task a simple question, some random ones, a picture,
-//!    which no other exercise shows, and the mistakes that learners make. A mistake is one row:
+//!    and, in the core path, the mistakes that learners make. A mistake is one row:
 //!    the fact that it overlooks, and a function that makes code with this mistake of right code.
 //!    [`yours!`](crate::yours) is the student's code in the form that the questions take. A line
 //!    `mod NAME;` in `tests/exercises/main.rs` adds it.

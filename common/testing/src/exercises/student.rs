@@ -8,7 +8,7 @@ use std::sync::Mutex;
 
 use exercise::{CORPUS, MARKED, WORDS_MARK, print_answers};
 
-use super::assertion::{assertion_words, is_rounding};
+use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
 use super::exercise::Exercise;
 use super::folder::StageFolder;
@@ -105,7 +105,7 @@ fn panic_words(name: &str, panic: &PanicHookInfo) -> String {
         }
         location => (&*own_file, location.map_or(0, Location::line)),
     };
-    format!("{file}, line {line}: {}", assertion_words(message))
+    format!("{file}, line {line}: {message}")
 }
 
 /// Prints words, each line behind a mark if the reader asks for it: so they are told from what the
