@@ -1,9 +1,10 @@
 //! Decodes JPEG files.
 
-use std::io;
+use std::io::{self, Cursor};
 
+use image::codecs::jpeg::JpegDecoder;
 use image::metadata::Orientation;
-use image::{DynamicImage, GrayImage, RgbImage};
+use image::{DynamicImage, GrayImage, ImageDecoder, RgbImage};
 use jpeg_decoder::{Decoder, Error, PixelFormat};
 
 use super::{ENDS_TOO_EARLY, not_supported, refused};
@@ -27,7 +28,8 @@ pub fn decode(bytes: &[u8]) -> Result<(DynamicImage, Orientation), String> {
             RgbImage::from_raw(width, height, pixels).map(DynamicImage::from)
         }
     };
-    let orientation = decoder.exif_data().and_then(Orientation::from_exif_chunk);
+    let headers = JpegDecoder::new(Cursor::new(bytes));
+    let orientation = headers.and_then(|mut headers| headers.orientation());
     let orientation = orientation.unwrap_or(Orientation::NoTransforms);
     Ok((picture.ok_or(ENDS_TOO_EARLY)?, orientation))
 }

@@ -3,8 +3,8 @@
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 use common::Color;
-use proptest::prelude::RngExt;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+use rand::rngs::ChaCha20Rng;
+use rand::{RngExt, SeedableRng};
 
 /// Calls a test with the random numbers of each of the first seeds. If it panics, the seed is printed.
 pub fn for_seeds(count: u64, test: impl Fn(&mut Random)) {
@@ -24,15 +24,15 @@ pub fn random<I>(mut input: impl FnMut(&mut Random) -> I) -> Vec<I> {
 }
 
 /// A source of random numbers, which a seed determines.
-#[derive(Clone, Debug)]
-pub struct Random(TestRng);
+pub struct Random(ChaCha20Rng);
 
 impl Random {
     /// The numbers of this seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
-        let seed = [seed, 0, 0, 0].map(u64::to_le_bytes).concat();
-        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &seed))
+        let mut bytes = [0; 32];
+        bytes[..8].copy_from_slice(&seed.to_le_bytes());
+        Self(ChaCha20Rng::from_seed(bytes))
     }
 
     /// A whole number, at least 0 and less than `end`, which is at least 1.

@@ -99,7 +99,7 @@ fn pictures_do_no_harm() {
 
 #[test]
 fn scene_files_do_no_harm() {
-    for_seeds(3000, |random| {
+    for_seeds(1000, |random| {
         let example = example_files::SHAPES.as_bytes().to_vec();
         scene_files::check(&changed(example, random));
     });
@@ -108,7 +108,7 @@ fn scene_files_do_no_harm() {
 #[test]
 fn meshes_do_no_harm() {
     let meshes = meshes();
-    for_seeds(3000, |random| {
+    for_seeds(1000, |random| {
         let mesh = meshes[random.below(meshes.len() as u32) as usize].clone();
         scene_files::check(&changed(mesh, random));
     });
