@@ -58,47 +58,27 @@ fn unit(ray: &Ray) -> Vector3 {
     ray.direction().normalized().unwrap_or_default()
 }
 
-/// Rays with directions of different lengths, the first one an arrow; their points at t = 0, 1, 2
-/// and so on, in blue; and points beside them, each with a line to the nearest point of the ray, in
-/// red.
+/// Rays with directions of different lengths, each an arrow; their points at t = 0, 1, 2 and so on, in
+/// blue; and a point beside each, with a line to the nearest point of the ray, in red.
 fn points_and_feet(code: &Code, settings: &Settings) -> Result<Image, Error> {
     let mut canvas = Canvas::new(settings.size, Color::WHITE)?;
-    let (blue, red, gray, ink) = (
-        Color::new(0.1, 0.3, 0.8),
-        Color::new(0.8, 0.1, 0.1),
-        Color::gray(0.7),
-        Color::gray(0.15),
-    );
+    let (blue, red) = (Color::new(0.1, 0.3, 0.8), Color::new(0.8, 0.1, 0.1));
+    let ink = Color::gray(0.15);
     let place = |p: Point3| (p.x(), 240.0 - p.y());
     for (o, d, steps, beside) in [
-        (
-            [20.0, 150.0],
-            [90.0, 20.0],
-            3,
-            [[80.0, 215.0], [230.0, 150.0]],
-        ),
-        (
-            [30.0, 80.0],
-            [35.0, -4.0],
-            8,
-            [[100.0, 115.0], [235.0, 85.0]],
-        ),
-        ([25.0, 15.0], [60.0, 3.0], 4, [[120.0, 45.0], [240.0, 8.0]]),
+        ([20.0, 150.0, 0.0], [90.0, 20.0, 0.0], 3, [80.0, 215.0, 0.0]),
+        ([30.0, 80.0, 0.0], [35.0, -4.0, 0.0], 8, [235.0, 100.0, 0.0]),
+        ([25.0, 15.0, 0.0], [60.0, 3.0, 0.0], 4, [120.0, 50.0, 0.0]),
     ] {
-        let ray = Ray::derived(Point3::new(o[0], o[1], 0.0), Vector3::new(d[0], d[1], 0.0));
-        let last = ray.at(f64::from(steps));
-        canvas.line(place(ray.origin()), place(last), 1.0, gray);
+        let (ray, beside) = (Ray::derived(point(o), vector(d)), point(beside));
         canvas.arrow(place(ray.origin()), place(ray.at(1.0)), 2.0, ink);
-        for [x, y] in beside {
-            let point = Point3::new(x, y, 0.0);
-            let foot = ray.at((code.t_of)(&ray, point));
-            canvas.line(place(point), place(foot), 1.0, red);
-            canvas.line(place(point), place(point), 6.0, ink);
-            canvas.line(place(foot), place(foot), 6.0, red);
-        }
+        let foot = ray.at((code.t_of)(&ray, beside));
+        canvas.line(place(beside), place(foot), 1.0, red);
+        canvas.line(place(beside), place(beside), 6.0, ink);
+        canvas.line(place(foot), place(foot), 6.0, red);
         for t in 0..=steps {
-            let point = place((code.at)(&ray, f64::from(t)));
-            canvas.line(point, point, 6.0, blue);
+            let at = place((code.at)(&ray, f64::from(t)));
+            canvas.line(at, at, 6.0, blue);
         }
     }
     Ok(canvas.into_image())

@@ -20,9 +20,7 @@ pub fn exercise() -> Exercise<Code> {
         light: (Color::WHITE, [-1.0; 3]),
     };
     Exercise {
-        picture: Picture::scene("phong-directional", move |light, settings| {
-            lit.rendered(light, settings)
-        }),
+        picture: lit.scene("phong-directional"),
         wrong: vec![Other::from_right(
             "a direction without a length leads nowhere",
             |right| {

@@ -13,7 +13,7 @@ pub fn exercise() -> Exercise<Code> {
         light: (Color::gray(2.5), [0.2, 2.2, 1.5]),
     };
     Exercise {
-        picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
+        picture: lit.own(),
         ..lights([Lights {
             words: "lamp {} at {}",
             first: (Color::new(1.0, 0.5, 0.25), LAMP),

@@ -14,9 +14,7 @@ pub fn exercise() -> Exercise<Code> {
         light: (Color::WHITE, [4.0; 3]),
     };
     Exercise {
-        picture: Picture::scene("phong", move |light, settings| {
-            lit.rendered(light, settings)
-        }),
+        picture: lit.scene("phong"),
         wrong: vec![Other::from_right(
             "this lamp is as bright at every distance",
             |right| {

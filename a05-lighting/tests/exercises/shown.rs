@@ -47,9 +47,18 @@ pub struct Lit<P> {
     pub light: P,
 }
 
-impl<P: Clone + Sync> Lit<P> {
-    /// Renders the scene in the light that this code computes.
-    pub fn rendered(&self, light_at: &LightAt<P>, settings: &Settings) -> Result<Image, Error> {
+impl<P: Clone + Sync + 'static> Lit<P> {
+    /// The picture of the scene with this name, which is compared.
+    pub fn scene(self, name: &'static str) -> Picture<LightAt<P>> {
+        Picture::scene(name, move |light, settings| self.rendered(light, settings))
+    }
+
+    /// A picture of the scene in another light, to be looked at.
+    pub fn own(self) -> Picture<LightAt<P>> {
+        Picture::own(move |light, settings| self.rendered(light, settings))
+    }
+
+    fn rendered(&self, light_at: &LightAt<P>, settings: &Settings) -> Result<Image, Error> {
         shaded((self.view)()?, settings, |diffuse, ray, hit, world| {
             let light = light_at(self.light.clone(), ray.at(hit.t));
             push_light(1, self.name, light, None);

@@ -23,7 +23,7 @@ pub fn exercise() -> Exercise<Code> {
         light: (Color::WHITE, [4.0; 3], [-1.0; 3], [0.1, 0.3]),
     };
     Exercise {
-        picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
+        picture: lit.own(),
         ..lights([Lights {
             words: "light {} at {}, which shines along {}, inner and outer angle {}",
             first: (COLOR, LAMP, [0.0, -2.0, 0.0], ANGLES),

@@ -23,9 +23,7 @@ pub fn exercise() -> Exercise<Code> {
         light: (Color::WHITE, [4.0; 3], [-1.0; 3], PI / 14.0),
     };
     Exercise {
-        picture: Picture::scene("phong-spot", move |light, settings| {
-            lit.rendered(light, settings)
-        }),
+        picture: lit.scene("phong-spot"),
         wrong: vec![
             Other::new(
                 "a wide cone shines behind the lamp, too",

@@ -123,9 +123,9 @@ impl Progress {
             let of_path = course.iter().filter(|e| e.is_core == is_core);
             let all = of_path.clone().count();
             let done = of_path.filter(|e| self.is_done(e)).count();
-            words.push(format!("{path}: {done} of {all}"));
+            words.push(format!("{path}: {done} of {all} done"));
         }
-        format!("done: {}", words.join(", "))
+        words.join(", ")
     }
 
     /// An exercise in a line.

@@ -58,7 +58,7 @@ const EXERCISES: [&str; 10] = [
 /// more words of the answer before.
 #[rustfmt::skip]
 const STEPS: &[(&str, &str)] = &[
-    ("set_pixel", "start>to do|h>Hint|h>no further hint|h>Hint|loop>|right>: done|look>core path: 1 of 5, further: 0 of 6"),
+    ("set_pixel", "start>to do|h>Hint|h>no further hint|h>Hint|loop>|right>: done|look>core path: 1 of 5 done, further: 0 of 6 done"),
     ("set_pixel", "wrong>: not yet|look>core path: 0 of 5|>: not yet|right>: done|look>core path: 1 of 5|>The diagonal, 10 minutes"),
     ("diagonal", "panic>: not yet|loop>|h>Hint|broken>: does not compile|delete>l.rs is deleted"),
     ("diagonal", ">to do|right>: done|l>done   core  a01  diagonal|delete>is deleted|l>       core  a01  diagonal"),
@@ -83,7 +83,7 @@ const STEPS: &[(&str, &str)] = &[
     // A file that is edited meanwhile is open again.
     ("thumbnail", "wrong>"),
     ("line", "right>: done|look>further: 5 of 6|>exercises/thumbnail.rs|look>: not yet"),
-    ("thumbnail", "right>: done|>core path: 5 of 5, further: 6 of 6|look>all exercises are done"),
+    ("thumbnail", "right>: done|>core path: 5 of 5 done, further: 6 of 6|look>all exercises are done"),
 ];
 
 fn write(path: &str, text: &str) {
@@ -209,7 +209,7 @@ fn check_once(file: &dyn Fn(&str) -> String) {
     // Without a change, each file is done; after a change or a reset, it is not.
     let (_, list) = run(&["list"]);
     assert!(
-        list.contains("core path: 5 of 5, further: 6 of 6"),
+        list.contains("core path: 5 of 5 done, further: 6 of 6"),
         "{list}"
     );
     write(&file("own"), &text("wrong").unwrap());
@@ -217,7 +217,7 @@ fn check_once(file: &dyn Fn(&str) -> String) {
     fs::remove_file(file("ppm")).unwrap();
     let (_, list) = run(&["list"]);
     assert!(
-        list.contains("core path: 4 of 5, further: 4 of 6"),
+        list.contains("core path: 4 of 5 done, further: 4 of 6"),
         "{list}"
     );
     write(&file("own"), &text("right").unwrap());

@@ -47,7 +47,7 @@ impl Entry {
 #[derive(Clone, Copy)]
 struct Author {
     folder: StageFolder,
-    /// Whether messages about mistakes are printed, and pictures saved.
+    /// Whether messages about mistakes are printed, and the picture saved.
     is_shown: bool,
     /// Whether the answers are recorded anew.
     records: bool,
@@ -58,8 +58,7 @@ struct Author {
 /// which something is missing, as in a workbook for students, is not proved.
 ///
 /// The arguments are those of every test. With a part of a name, the messages about mistakes are
-/// printed, and the pictures of the solution and of mistakes are saved, which should show what is
-/// wrong. With `always` in the variable `INSTA_UPDATE` of the environment, the answers are
+/// printed, and the picture of the solution is saved. With `always` in the variable `INSTA_UPDATE` of the environment, the answers are
 /// recorded anew.
 #[must_use]
 pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
@@ -125,10 +124,6 @@ impl<C: 'static> Codes<C> {
             if author.is_shown {
                 let wrong = found.verdict.wrong.join("\n  ");
                 println!("{overlooks}\n  {wrong}\n  {known}");
-            }
-            if let Some(image) = &found.image {
-                let words = overlooks.replace(|letter: char| !letter.is_alphanumeric(), "-");
-                println!("{}", folder.save(image, &format!("{name}-{words}.png")));
             }
             if !known.ends_with(&format!(" that {overlooks}")) {
                 return Err(format!("{overlooks}: accepted, or taken for another: {known}").into());
