@@ -1,13 +1,12 @@
-// Whether each link of the built pages leads to a file that is there, and to a heading that it has:
-// node links.mjs target/book
+// Whether each link of the built pages leads to a file that is there, and to a heading that it has, and
+// whether the book is read without a network: node links.mjs target/book
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 
 const book = process.argv[2];
 const read = (page) => readFileSync(page, 'utf8');
-const pages = readdirSync(book, { recursive: true })
-    .filter((name) => name.endsWith('.html'))
-    .map((name) => join(book, name));
+const files = readdirSync(book, { recursive: true }).map((name) => join(book, name));
+const pages = files.filter((name) => name.endsWith('.html'));
 
 // Values of attributes, as written; the ids of a page are those that a link may name after a #.
 const values = (html, attribute) =>
@@ -26,6 +25,14 @@ for (const page of pages) {
         if (!existsSync(target) || (heading && ids.has(target) && !ids.get(target).has(heading))) {
             dead.push(`${relative(book, page)}: ${link}`);
         }
+    }
+}
+
+// A reader may follow a link into the network; a page or a style sheet loads nothing from there.
+const loading = /<(?:link|script|img|iframe|source)\s[^>]*(?:href|src)="(?:https?:)?\/\/[^>]*>|url\(["' ]*(?:https?:)?\/\/[^)]*\)/g;
+for (const file of files.filter((name) => /\.(html|css)$/.test(name))) {
+    for (const [loaded] of read(file).matchAll(loading)) {
+        dead.push(`${relative(book, file)} loads from the network: ${loaded}`);
     }
 }
 console.log(`${links} links of ${pages.length} pages: ${dead.length ? 'dead are' : 'none is dead'}`);

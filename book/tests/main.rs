@@ -1,5 +1,4 @@
-//! The book and the crates say the same, as far as neither mdBook nor the link checker of
-//! `cargo book` sees it.
+//! The book and the crates say the same, as far as neither mdBook nor `links.mjs` sees it.
 //!
 //! A check returns a complaint with file and line for each mistake.
 

@@ -5,14 +5,14 @@ use std::process::Command;
 
 use crate::command::{not_started, run};
 use crate::live_module::LiveModule;
-use crate::{file, tools};
+use crate::{file, mdbook};
 
 /// Where the pages are.
 pub const FOLDER: &str = "target/book";
 
-/// Builds the pages. A warning of mdBook is an error, for example of a formula that is wrong.
+/// Builds the pages. A warning of mdBook is an error.
 pub fn build(module: Option<&LiveModule>) -> Result<(), String> {
-    let mut mdbook = mdbook(module)?;
+    let mut mdbook = command(module)?;
     let output = mdbook
         .output()
         .map_err(|error| not_started(&mdbook, &error))?;
@@ -47,14 +47,15 @@ pub fn open() -> Result<(), String> {
     run(Command::new(program).arg(page))
 }
 
-fn mdbook(module: Option<&LiveModule>) -> Result<Command, String> {
-    let mut mdbook = tools::command("mdbook")?;
+fn command(module: Option<&LiveModule>) -> Result<Command, String> {
+    let mut mdbook = mdbook::command();
     mdbook.args(["build", "book"]);
     let this = std::env::current_exe().map_err(|error| error.to_string())?;
     let preprocessor = format!("'{}' preprocess", this.display());
-    mdbook.env("MDBOOK_PREPROCESSOR__RECORDED__COMMAND", preprocessor);
+    mdbook.env("MDBOOK_PREPROCESSOR__BUILDER__COMMAND", preprocessor);
     if module.is_some() {
-        let scripts = r#"["generated/live.js", "fold.js", "access.js"]"#;
+        let scripts =
+            r#"["katex/katex.min.js", "formulas.js", "generated/live.js", "fold.js", "access.js"]"#;
         mdbook.env("MDBOOK_OUTPUT__HTML__ADDITIONAL_JS", scripts);
     }
     Ok(mdbook)

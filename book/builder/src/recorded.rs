@@ -1,18 +1,14 @@
-//! The recording: measured by `cargo record`, and put into the pages when the book is built.
+//! The recording, which `cargo record` measures.
 
 use std::fs;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-
-use measure::recorded::Recording;
-use serde_json::Value;
 
 use crate::command::{output, run};
 use crate::file;
 
 /// The recording of the book.
-const RECORDING: &str = "book/recording.csv";
+pub const RECORDING: &str = "book/recording.csv";
 
 const PICTURES: &str = "book/src/pictures";
 
@@ -85,44 +81,6 @@ fn replace_plots(folder: &Path) -> Result<(), String> {
             file::write(&Path::new(PICTURES).join(&*name), &file::read(&path)?)?;
             println!("{PICTURES}/{name}");
         }
-    }
-    Ok(())
-}
-
-/// A preprocessor of mdBook: reads the book as JSON, fills its anchors, and writes it.
-pub fn preprocess() -> Result<(), String> {
-    let mut json = String::new();
-    std::io::stdin()
-        .read_to_string(&mut json)
-        .map_err(|error| error.to_string())?;
-    let json: Value = serde_json::from_str(&json).map_err(|error| error.to_string())?;
-    // The first of the two values is the configuration.
-    let mut book = json.get(1).ok_or("mdBook gave no book")?.clone();
-    let text = file::read(Path::new(RECORDING))?;
-    fill(&mut book, &Recording::parse(&text)?)?;
-    println!("{book}");
-    Ok(())
-}
-
-/// Fills the anchors of all chapters in a value of the book.
-fn fill(value: &mut Value, recording: &Recording) -> Result<(), String> {
-    match value {
-        Value::Array(items) => {
-            for item in items {
-                fill(item, recording)?;
-            }
-        }
-        Value::Object(fields) => {
-            for (name, field) in fields.iter_mut() {
-                match field {
-                    Value::String(text) if name == "content" => {
-                        *text = recording.fill(text)?;
-                    }
-                    _ => fill(field, recording)?,
-                }
-            }
-        }
-        _ => {}
     }
     Ok(())
 }

@@ -1,5 +1,5 @@
 // The built book in a headless Chromium, opened as files: every live picture has the
-// locked bytes, every figure answers, and without WebAssembly the pictures stand.
+// locked bytes, every formula is drawn, every figure answers, and without WebAssembly the pictures stand.
 //
 //     node browser.mjs CHROMIUM ANSWERS [FOLDER FOR SCREENSHOTS]
 //
@@ -121,6 +121,13 @@ async function tryPictures(page) {
         expect(state === 'tested', `${page}, ${name}: ${status}`);
     }
     return states.map(([name]) => name);
+}
+
+// KaTeX has drawn each formula of the page.
+async function tryFormulas(page) {
+    const undrawn = await chromium.value(`[...document.querySelectorAll('.formula')]
+        .filter((formula) => !formula.querySelector('.katex')).map(({ textContent }) => textContent)`);
+    expect(!undrawn.length, `${page}, not drawn: ${undrawn}`);
 }
 
 // Pixels of the traced pictures with these names: each ray shows the numbers that the command prints.
@@ -462,6 +469,7 @@ async function tryPages() {
         pages.push(page);
         const names = await tryPictures(page);
         found.push(...names);
+        await tryFormulas(page);
         // Of each picture once, though other pages may show it, too.
         pixels += await tryPixels(names.filter((name) => firstPage(name) === page));
         pairs.push(...(await tryPairs(page)));
