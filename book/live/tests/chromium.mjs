@@ -136,13 +136,14 @@ export class Chromium {
         await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key });
     }
 
-    // An element as PNG, in base64.
+    // An element as PNG, in base64. Only for one that is higher than the window the whole page is painted.
     async picture(element) {
-        const { x, y, width, height } = await this.value(`(() => {
-            const box = (${element}).getBoundingClientRect();
-            return { x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height };
+        await this.middle(element);
+        const [captureBeyondViewport, clip] = await this.value(`(() => {
+            const { x, y, width, height } = (${element}).getBoundingClientRect();
+            return [height > innerHeight, { x: x + scrollX, y: y + scrollY, width, height, scale: 1 }];
         })()`);
-        const { data } = await this.send('Page.captureScreenshot', { captureBeyondViewport: true, clip: { x, y, width, height, scale: 1 } });
+        const { data } = await this.send('Page.captureScreenshot', { captureBeyondViewport, clip });
         return data;
     }
 
