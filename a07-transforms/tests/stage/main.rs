@@ -9,7 +9,6 @@ mod deep_reflections;
 mod explained;
 mod export;
 mod lamps_on_groups;
-mod levels;
 mod node;
 mod own_shape;
 mod refusals;

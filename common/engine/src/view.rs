@@ -98,12 +98,16 @@ impl View<'_, '_> {
 impl Radiance for View<'_, '_> {
     fn tracer(&self) -> LightAt<'_> {
         // `dispatch!` would compile four levels for x86-64.
+        #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
+        if let Some(avx2) = self.level.as_avx2() {
+            return self.tracer_with(avx2);
+        }
         #[cfg(target_arch = "x86_64")]
-        return match (self.level.as_avx2(), self.level.as_sse2()) {
-            (Some(avx2), _) => self.tracer_with(avx2),
-            (None, Some(sse2)) => self.tracer_with(sse2),
-            (None, None) => unreachable!("every x86-64 processor has SSE2"),
-        };
+        if let Some(sse2) = self.level.as_sse2() {
+            return self.tracer_with(sse2);
+        }
+        #[cfg(target_arch = "x86_64")]
+        unreachable!("every x86-64 processor has SSE2");
         #[cfg(not(target_arch = "x86_64"))]
         fearless_simd::dispatch!(self.level, simd => self.tracer_with(simd))
     }

@@ -68,7 +68,7 @@ pub fn compare(world: &World<usize>, shapes: Shapes, rays: &[Ray]) -> usize {
         let picture = renderer.render(&Sampler::new(&settings), &settings, &());
         picture.unwrap()
     };
-    for of_engine in [render(), engine::at_baseline(render)] {
+    for of_engine in engine::at_each_level(render) {
         for (y, row) in (0..height).rev().zip(of_engine.rows()) {
             for (x, engine) in row.iter().enumerate() {
                 let (ray, list) = &all[number(x, y)];

@@ -21,13 +21,12 @@ pub fn compare(seed: u64, view: impl Fn() -> View, settings: &Settings) -> Image
         };
         view().render(&settings, &()).unwrap()
     };
-    let [lesson, engine, all_work] = Renderer::ALL.map(render);
-    let baseline = engine::at_baseline(|| render(Renderer::Engine));
-    for (name, other) in [
-        ("the engine", engine),
-        ("the engine at the baseline", baseline),
-        ("all work", all_work),
-    ] {
+    let lesson = render(Renderer::Lesson);
+    let mut others = vec![("all work", render(Renderer::AllWork))];
+    for engine in engine::at_each_level(|| render(Renderer::Engine)) {
+        others.push(("the engine", engine));
+    }
+    for (name, other) in others {
         let mut different = 0;
         for (a, b) in lesson.pixels().iter().zip(other.pixels()) {
             different += usize::from(!is_same(*a, *b));

@@ -2,7 +2,7 @@
 //!
 //! They are chosen when the program runs, so that one build is fast on each processor. On x86-64 they
 //! are AVX2, or else SSE2, which every such processor has; elsewhere there is one choice. The code of
-//! each is compiled once more.
+//! each is compiled once more. So a build for development, which is made most often, has SSE2 alone.
 
 use std::cell::Cell;
 
@@ -12,22 +12,28 @@ thread_local! {
     static IS_LOWERED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// The level of a new renderer: the best of this processor, unless it is made in [`at_baseline`].
+/// Whether this build has the instructions of one level alone.
+const HAS_ONE: bool = cfg!(any(debug_assertions, not(target_arch = "x86_64")));
+
+/// The level of a new renderer: the best of this build and processor, unless [`at_each_level`] lowers it.
 pub fn level() -> Level {
-    if IS_LOWERED.get() {
+    if HAS_ONE || IS_LOWERED.get() {
         Level::baseline()
     } else {
         Level::new()
     }
 }
 
-/// Calls a function that renders. Renderers which it makes on this thread use only the instructions that
-/// each processor of this kind has: for tests, which compare them with the best of this processor.
-pub fn at_baseline<T>(render: impl FnOnce() -> T) -> T {
-    let before = IS_LOWERED.replace(true);
-    let result = render();
-    IS_LOWERED.set(before);
-    result
+/// The results of a function that renders, with the instructions of each level that this build has. It has
+/// to make its renderers on this thread. For tests, which compare the results.
+pub fn at_each_level<T>(render: impl Fn() -> T) -> Vec<T> {
+    let mut results = vec![render()];
+    if !HAS_ONE {
+        IS_LOWERED.set(true);
+        results.push(render());
+        IS_LOWERED.set(false);
+    }
+    results
 }
 
 /// The instructions of the baseline, for tests of functions on lanes.
