@@ -7,7 +7,6 @@ mod double_double;
 mod formulas;
 mod mirroring_ball;
 mod nested_nodes;
-mod saved_pictures;
 
 use std::collections::HashSet;
 use std::fs;
