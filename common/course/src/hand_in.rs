@@ -2,6 +2,7 @@
 //!
 //! Nothing is written, and no link is followed: so names such as `../../file` do no harm.
 
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{Cursor, Read, Seek};
 use std::path::Path;
@@ -146,7 +147,8 @@ impl Search<'_> {
             let mut inner = path.to_vec();
             match archive.by_index_raw(index) {
                 Ok(file) => {
-                    let name = file.name().to_owned();
+                    let name = String::from_utf8_lossy(file.name_raw()).into_owned();
+                    let name = file.name().map_or(name, Cow::into_owned);
                     if parts(&name).any(is_added) {
                         continue;
                     }
