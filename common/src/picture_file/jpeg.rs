@@ -1,10 +1,9 @@
 //! Decodes JPEG files.
 
-use std::io::{self, Cursor};
+use std::io;
 
-use image::codecs::jpeg::JpegDecoder;
 use image::metadata::Orientation;
-use image::{DynamicImage, GrayImage, ImageDecoder, RgbImage};
+use image::{DynamicImage, GrayImage, RgbImage};
 use jpeg_decoder::{Decoder, Error, PixelFormat};
 
 use super::{ENDS_TOO_EARLY, not_supported, refused};
@@ -28,8 +27,7 @@ pub fn decode(bytes: &[u8]) -> Result<(DynamicImage, Orientation), String> {
             RgbImage::from_raw(width, height, pixels).map(DynamicImage::from)
         }
     };
-    let headers = JpegDecoder::new(Cursor::new(bytes));
-    let orientation = headers.and_then(|mut headers| headers.orientation());
+    let orientation = decoder.exif_data().and_then(Orientation::from_exif_chunk);
     let orientation = orientation.unwrap_or(Orientation::NoTransforms);
     Ok((picture.ok_or(ENDS_TOO_EARLY)?, orientation))
 }
