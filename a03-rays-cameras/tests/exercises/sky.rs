@@ -1,4 +1,4 @@
-//! What examples of cameras use.
+//! The names that the examples of the camera exercises use.
 
 #[allow(
     unused_imports,

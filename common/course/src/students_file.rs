@@ -46,7 +46,7 @@ pub struct StudentsFile {
     pub time: String,
 }
 
-/// What a file is, by its path.
+/// The kind of a handed-in file, which its path tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Exercise(&'static str),

@@ -28,7 +28,7 @@ opt-level = 3
 opt-level = 3
 ";
 
-/// Adds what is missing: the profile, `libm`, and these stages, which are optimised, too.
+/// Adds to the manifest what it lacks: the build profile, `libm`, and these stages, which are optimised, too.
 pub fn complete(folder: &Path, stages: &[&str]) -> Result<(), String> {
     let path = folder.join(MANIFEST);
     let before = fs::read_to_string(&path).map_err(with_path(&path))?;

@@ -58,8 +58,8 @@ struct Author {
 /// which something is missing, as in a workbook for students, is not proved.
 ///
 /// The arguments are those of every test. With a part of a name, the messages about mistakes are
-/// printed, and the picture of the solution is saved. With `always` in the variable `INSTA_UPDATE` of the environment, the answers are
-/// recorded anew.
+/// printed, and the picture of the solution is saved. With `always` in the variable `INSTA_UPDATE` of the
+/// environment, the answers are recorded anew.
 #[must_use]
 pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
     let arguments = Arguments::from_args();
