@@ -28,7 +28,7 @@ pub use instance::Instance;
 pub(crate) use list::List;
 pub(crate) use mesh::Mesh;
 pub use plane::Plane;
-pub(crate) use primitive::{Counts, Primitive};
+pub(crate) use primitive::{Counts, Primitive, hits};
 pub(crate) use rays::Rays;
 use sheared_rays::ShearedRays;
 pub use sphere::Sphere;
@@ -140,9 +140,8 @@ impl Shape<'_> {
         with_primitive!(self, |primitive| intersect(primitive, rays, active))
     }
 
-    #[inline(always)]
     fn hits<S: Simd>(&self, rays: &Rays<S>, t: Lanes<S>, active: u32) -> PacketHit<S> {
-        with_primitive!(self, |primitive| primitive.hits(rays, t, active))
+        with_primitive!(self, |primitive| hits(primitive, rays, t, active))
     }
 
     fn any_hit_of_parts<S: Simd>(

@@ -14,7 +14,7 @@ use common::steps::{self, StepKind};
 use common::{Color, Omission, Omissions};
 use fearless_simd::prelude::*;
 
-use crate::accel::{Accelerator, NearestHits, NearestQuery, PACKETS};
+use crate::accel::{Accelerator, NearestHits, PACKETS, Query};
 use crate::lanes::{ColorPacket, RayPacket, bits, mask};
 use crate::shade::RadianceBound;
 use crate::{Light, Surface};
@@ -97,20 +97,20 @@ impl Tracer<'_> {
         let simd = batch.simd;
         let Batch {
             paths,
-            nearest,
+            queries,
             vertices,
             ..
         } = batch;
         let active = paths.iter().filter(|path| path.active != 0);
-        nearest.clear();
-        nearest.extend(active.map(|path| NearestQuery::new(&path.rays, path.active)));
-        self.accelerator.traverse(nearest, &mut ());
+        queries.clear();
+        queries.extend(active.map(|path| Query::nearest(&path.rays, path.active)));
+        self.accelerator.traverse(queries, &mut None);
 
         let background = ColorPacket::splat(simd, self.background);
         let paths = paths.iter_mut().enumerate();
         let active = paths.filter(|(_, path)| path.active != 0);
         vertices.clear();
-        for ((i, path), query) in active.zip(nearest) {
+        for ((i, path), query) in active.zip(queries) {
             let hit_mask = query.hit_mask();
             let missed = path.active & !hit_mask;
             if missed != 0 {

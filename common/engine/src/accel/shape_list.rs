@@ -3,9 +3,9 @@
 use common::steps::{self, StepKind};
 use fearless_simd::prelude::*;
 
-use super::Shapes;
 use super::ids::Leaf;
 use super::query::Query;
+use super::{Occluder, Shapes};
 use crate::lanes::{Lanes, Simd, bits, bits_of, splat};
 use crate::shape::{List, Primitive, Rays};
 
@@ -83,13 +83,13 @@ impl<L: List> ShapeList<L> {
     /// Tests the shapes of a leaf, one after the other, against the packets of these queries, a bit
     /// for each.
     #[inline(never)]
-    pub(super) fn test_packets<S: Simd, Q: Query<S>>(
+    pub(super) fn test_packets<S: Simd>(
         &self,
         shapes: &Shapes,
         leaf: Leaf,
-        queries: &mut [Q],
+        queries: &mut [Query<S>],
         tested: u32,
-        shared: &mut Q::Shared,
+        occluder: &mut Occluder,
     ) {
         let simd = queries[0].simd();
         simd.vectorize(
@@ -101,12 +101,12 @@ impl<L: List> ShapeList<L> {
                         (self.shapes.splat(simd, index), self.attributes[index].order);
                     for query in bits(tested) {
                         let query = &mut queries[query];
-                        let active = query.active();
+                        let active = query.active;
                         if active != 0 {
                             steps::count(StepKind::Test, active.count_ones().into());
-                            let (rays, t_max) = (query.rays(), *query.t_max());
+                            let (rays, t_max) = (&query.rays, query.t_max);
                             let t = <L::Shape<'_>>::intersect_before(&shape, rays, active, t_max);
-                            query.update(t, order, leaf.shape(i), shapes, shared);
+                            query.update(t, order, leaf.shape(i), shapes, occluder);
                         }
                     }
                 }

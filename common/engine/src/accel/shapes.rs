@@ -5,7 +5,7 @@ use super::shape_list::{Attributes, ShapeList};
 use crate::lanes::{Lanes, PacketHit, Simd};
 use crate::shape::{
     AxisAlignedBox, Bounds, Counts, Disc, List, Mesh, Other, Plane, Primitive, Rays, Shape, Sphere,
-    Transformed,
+    Transformed, hits,
 };
 
 /// All shapes of a scene.
@@ -96,7 +96,7 @@ impl<'a> Shapes<'a> {
     }
 
     /// The hits of four rays on a shape at these `t`, which its test has found in the active lanes.
-    #[inline(never)]
+    #[inline]
     pub fn hits_on<S: Simd>(
         &self,
         shape: ShapeId,
@@ -105,15 +105,12 @@ impl<'a> Shapes<'a> {
         active: u32,
     ) -> PacketHit<S> {
         let index = shape.index as usize;
-        t.simd.vectorize(
-            #[inline(always)]
-            || {
-                with_list!(self, shape.kind, |list| list
-                    .shapes
-                    .get(index)
-                    .hits(rays, t, active))
-            },
-        )
+        with_list!(self, shape.kind, |list| hits(
+            list.shapes.get(index),
+            rays,
+            t,
+            active
+        ))
     }
 
     /// [`Primitive::any_hit_of_parts`] of a shape.

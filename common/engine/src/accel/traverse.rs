@@ -13,13 +13,13 @@ use fearless_simd::f32x8;
 use fearless_simd::prelude::*;
 use glam::DVec3;
 
-use super::Accelerator;
 use super::bvh::Bvh;
 use super::ids::{Kind, Leaf};
 use super::packet_culling::{Bundle, PACKETS, PacketSlabs};
 use super::query::Query;
 use super::shapes::with_list;
 use super::slabs::Slabs;
+use super::{Accelerator, Occluder};
 use crate::Ray;
 use crate::lanes::{RayPacket, bits, is_set, mask, splat};
 use crate::shape::Rays;
@@ -37,44 +37,40 @@ const LINEAR_SCAN_PACKETS: usize = 4;
 impl Accelerator<'_> {
     /// Carries out these queries, at most [`PACKETS`].
     #[inline(always)]
-    pub fn traverse<S: Simd, Q: Query<S>>(&self, queries: &mut [Q], shared: &mut Q::Shared) {
+    pub fn traverse<S: Simd>(&self, queries: &mut [Query<S>], occluder: &mut Occluder) {
         for query in &mut *queries {
-            if let Some(shape) = Q::guess(shared) {
-                self.test_all(&[Leaf::of(shape)], slice::from_mut(query), shared);
+            if let Some(shape) = *occluder {
+                self.test_all(&[Leaf::of(shape)], slice::from_mut(query), occluder);
             }
         }
-        self.traverse_after_guess(queries, shared);
+        self.traverse_after_guess(queries, occluder);
     }
 
-    fn traverse_after_guess<S: Simd, Q: Query<S>>(
-        &self,
-        queries: &mut [Q],
-        shared: &mut Q::Shared,
-    ) {
-        let Some(first) = queries.iter().find(|query| query.active() != 0) else {
+    fn traverse_after_guess<S: Simd>(&self, queries: &mut [Query<S>], occluder: &mut Occluder) {
+        let Some(first) = queries.iter().find(|query| query.active != 0) else {
             return;
         };
         first.simd().vectorize(
             #[inline(always)]
             || {
                 if queries.len() <= LINEAR_SCAN_PACKETS && !self.linear_scan.is_empty() {
-                    return self.test_all(&self.linear_scan, queries, shared);
+                    return self.test_all(&self.linear_scan, queries, occluder);
                 }
                 let Some(tree) = &self.tree else {
-                    return self.test_all(&self.unbounded, queries, shared);
+                    return self.test_all(&self.unbounded, queries, occluder);
                 };
                 let width = BUNDLE_WIDTH * tree.leaf_width;
                 let bundle =
                     packets(queries).and_then(|rays| Bundle::new(&tree.space, &rays, width));
                 if let Some(bundle) = bundle {
-                    self.test_all(&self.unbounded, queries, shared);
-                    self.traverse_packets(tree, &bundle, queries, shared);
+                    self.test_all(&self.unbounded, queries, occluder);
+                    self.traverse_packets(tree, &bundle, queries, occluder);
                 } else if let [query] = queries {
-                    self.traverse_ray_by_ray(tree, query, shared);
+                    self.traverse_ray_by_ray(tree, query, occluder);
                 } else {
                     let (some, others) = queries.split_at_mut(queries.len() / 2);
-                    self.traverse_after_guess(some, shared);
-                    self.traverse_after_guess(others, shared);
+                    self.traverse_after_guess(some, occluder);
+                    self.traverse_after_guess(others, occluder);
                 }
             },
         );
@@ -82,39 +78,40 @@ impl Accelerator<'_> {
 
     /// Carries out a query whose rays may have directions of any length.
     #[inline(always)]
-    pub fn traverse_rays<S: Simd, Q: Query<S>>(&self, query: &mut Q, shared: &mut Q::Shared) {
+    pub fn traverse_rays<S: Simd>(&self, query: &mut Query<S>) {
+        let occluder = &mut None;
         match &self.tree {
-            _ if query.active() == 0 => (),
+            _ if query.active == 0 => (),
             _ if !self.linear_scan.is_empty() => {
-                self.test_all(&self.linear_scan, slice::from_mut(query), shared);
+                self.test_all(&self.linear_scan, slice::from_mut(query), occluder);
             }
-            Some(tree) => self.traverse_ray_by_ray(tree, query, shared),
-            None => self.test_all(&self.unbounded, slice::from_mut(query), shared),
+            Some(tree) => self.traverse_ray_by_ray(tree, query, occluder),
+            None => self.test_all(&self.unbounded, slice::from_mut(query), occluder),
         }
     }
 
     #[inline(always)]
-    fn traverse_ray_by_ray<S: Simd, Q: Query<S>>(
+    fn traverse_ray_by_ray<S: Simd>(
         &self,
         tree: &Bvh,
-        query: &mut Q,
-        shared: &mut Q::Shared,
+        query: &mut Query<S>,
+        occluder: &mut Occluder,
     ) {
-        self.test_all(&self.unbounded, slice::from_mut(query), shared);
-        let rays = query.rays().packet.to_rays();
-        for lane in bits(query.active()) {
-            self.traverse_ray(tree, &rays[lane], query, lane, shared);
+        self.test_all(&self.unbounded, slice::from_mut(query), occluder);
+        let rays = query.rays.packet.to_rays();
+        for lane in bits(query.active) {
+            self.traverse_ray(tree, &rays[lane], query, lane, occluder);
         }
     }
 
     /// Carries out the queries of a bundle.
     #[inline(always)]
-    fn traverse_packets<S: Simd, Q: Query<S>>(
+    fn traverse_packets<S: Simd>(
         &self,
         tree: &Bvh,
         bundle: &Bundle<S>,
-        queries: &mut [Q],
-        shared: &mut Q::Shared,
+        queries: &mut [Query<S>],
+        occluder: &mut Occluder,
     ) {
         let simd = bundle.all.t_min.simd;
         let mut t_max = [f32::NEG_INFINITY; PACKETS];
@@ -131,7 +128,7 @@ impl Accelerator<'_> {
             let candidates = culling.as_ref().map_or(all, |packets: &PacketSlabs<S>| {
                 packets.intersect(&node.planes_of(child), &t_max)
             });
-            self.test(leaf, queries, candidates, shared);
+            self.test(leaf, queries, candidates, occluder);
             for i in bits(candidates) {
                 t_max[i] = tree.space.t_max(greatest_t(&queries[i]));
             }
@@ -146,13 +143,13 @@ impl Accelerator<'_> {
     /// Carries out the query of one ray, which is that of a lane. Visits all leaves if the ray does
     /// not fit into the space of the tree, where its direction has the length 1.
     #[inline(never)]
-    fn traverse_ray<S: Simd, Q: Query<S>>(
+    fn traverse_ray<S: Simd>(
         &self,
         tree: &Bvh,
         ray: &Ray,
-        query: &mut Q,
+        query: &mut Query<S>,
         lane: usize,
-        shared: &mut Q::Shared,
+        occluder: &mut Occluder,
     ) {
         let simd = query.simd();
         simd.vectorize(
@@ -164,10 +161,10 @@ impl Accelerator<'_> {
                     direction: ray.direction / length,
                     ..*ray
                 };
-                let t_max = |query: &Q| tree.space.t_max(query.t_max()[lane] * length);
+                let t_max = |query: &Query<S>| tree.space.t_max(query.t_max[lane] * length);
                 let first_t_max = t_max(query);
                 let mut visit = |leaf: Leaf| {
-                    let t_max_of_hits = query.t_max()[lane];
+                    let t_max_of_hits = query.t_max[lane];
                     let (t, near) = with_list!(self.shapes, leaf.kind, |list| list.test_ray(
                         leaf,
                         &rays,
@@ -176,9 +173,9 @@ impl Accelerator<'_> {
                     for i in bits(near) {
                         let shape = leaf.shape(i as u32);
                         let order = self.shapes.attributes(shape).order;
-                        query.update_ray(lane, t[i], order, shape, &self.shapes, shared);
+                        query.update_ray(lane, t[i], order, shape, &self.shapes, occluder);
                     }
-                    if !is_set(query.active(), lane) {
+                    if !is_set(query.active, lane) {
                         return ControlFlow::Break(());
                     }
                     ControlFlow::Continue(t_max(query))
@@ -193,25 +190,25 @@ impl Accelerator<'_> {
 
     /// Tests shapes against the packets of all of these queries.
     #[inline(always)]
-    fn test_all<S: Simd, Q: Query<S>>(
+    fn test_all<S: Simd>(
         &self,
         leaves: &[Leaf],
-        queries: &mut [Q],
-        shared: &mut Q::Shared,
+        queries: &mut [Query<S>],
+        occluder: &mut Occluder,
     ) {
         for leaf in leaves {
-            self.test(*leaf, queries, (1 << queries.len()) - 1, shared);
+            self.test(*leaf, queries, (1 << queries.len()) - 1, occluder);
         }
     }
 
     /// Tests shapes against the packets of some of these queries, a bit for each.
     #[inline(always)]
-    fn test<S: Simd, Q: Query<S>>(
+    fn test<S: Simd>(
         &self,
         leaf: Leaf,
-        queries: &mut [Q],
+        queries: &mut [Query<S>],
         tested: u32,
-        shared: &mut Q::Shared,
+        occluder: &mut Occluder,
     ) {
         if tested != 0 {
             with_list!(self.shapes, leaf.kind, |list| list.test_packets(
@@ -219,7 +216,7 @@ impl Accelerator<'_> {
                 leaf,
                 queries,
                 tested,
-                shared
+                occluder
             ));
         }
     }
@@ -239,11 +236,13 @@ fn length_unless_1(direction: DVec3) -> f64 {
 /// The rays of these queries, if any is active. The rays of the first active one stand in for those
 /// of queries that are over, which must not keep the others apart.
 #[inline(always)]
-fn packets<S: Simd, Q: Query<S>>(queries: &[Q]) -> Option<ArrayVec<&RayPacket<S>, PACKETS>> {
-    let first = queries.iter().find(|query| query.active() != 0)?;
-    let packets = queries.iter().map(|query| match query.active() {
-        0 => &first.rays().packet,
-        _ => &query.rays().packet,
+fn packets<'a, S: Simd>(
+    queries: &'a [Query<'_, S>],
+) -> Option<ArrayVec<&'a RayPacket<S>, PACKETS>> {
+    let first = queries.iter().find(|query| query.active != 0)?;
+    let packets = queries.iter().map(|query| match query.active {
+        0 => &first.rays.packet,
+        _ => &query.rays.packet,
     });
     Some(packets.collect())
 }
@@ -251,10 +250,10 @@ fn packets<S: Simd, Q: Query<S>>(queries: &[Q]) -> Option<ArrayVec<&RayPacket<S>
 /// The greatest `t` at which a hit of an active ray counts; negative if no hit counts: if none is
 /// active, or the `t` of all are NaN, because a light of a student's own has such a distance.
 #[inline(always)]
-fn greatest_t<S: Simd, Q: Query<S>>(query: &Q) -> f64 {
-    let t_max = *query.t_max();
+fn greatest_t<S: Simd>(query: &Query<S>) -> f64 {
+    let t_max = query.t_max;
     let inactive = splat(t_max.simd, f64::NEG_INFINITY);
-    let [a, b, c, d] = *mask(t_max.simd, query.active()).select(t_max, inactive);
+    let [a, b, c, d] = *mask(t_max.simd, query.active).select(t_max, inactive);
     a.max(b).max(c.max(d)).max(f64::NEG_INFINITY)
 }
 

@@ -10,7 +10,7 @@ use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use super::{Bounds, Counts, Primitive, Rays, Shape};
-use crate::accel::{Accelerator, NearestQuery, ShadowQuery, Shapes};
+use crate::accel::{Accelerator, Query, Shapes};
 use crate::lanes::{Lanes, PacketHit, mask, no_hit, splat};
 
 /// Shapes that stand in several places. A clone shares them.
@@ -43,12 +43,12 @@ impl<'a> Instance<'a> {
     }
 
     /// The nearest hits of four rays, if they are not behind `t_max`.
-    fn query<S: Simd>(&self, rays: &Rays<S>, active: u32, t_max: Lanes<S>) -> NearestQuery<S> {
+    fn query<S: Simd>(&self, rays: &Rays<S>, active: u32, t_max: Lanes<S>) -> Query<'static, S> {
         t_max.simd.vectorize(
             #[inline(always)]
             || {
-                let mut query = NearestQuery::new(&rays.packet, active).not_behind(t_max);
-                self.0.accelerator.traverse_rays(&mut query, &mut ());
+                let mut query = Query::nearest(&rays.packet, active).not_behind(t_max);
+                self.0.accelerator.traverse_rays(&mut query);
                 query
             },
         )
@@ -62,7 +62,7 @@ impl<'a> Instance<'a> {
         t_max: Lanes<S>,
     ) -> Lanes<S> {
         let query = self.query(rays, active, t_max);
-        mask(t_max.simd, query.hit_mask()).select(query.t(), no_hit(t_max.simd))
+        mask(t_max.simd, query.hit_mask()).select(query.t_max(), no_hit(t_max.simd))
     }
 }
 
@@ -108,8 +108,8 @@ impl Primitive for &Instance<'_> {
         active: u32,
         counts: Counts<S>,
     ) -> u32 {
-        let mut query = ShadowQuery::inside(&rays.packet, before, active, counts);
-        self.0.accelerator.traverse_rays(&mut query, &mut None);
-        active & !query.unoccluded
+        let mut query = Query::shadow_inside(&rays.packet, before, active, counts);
+        self.0.accelerator.traverse_rays(&mut query);
+        query.hit_mask()
     }
 }

@@ -68,3 +68,18 @@ pub(crate) trait Primitive: Copy {
         0
     }
 }
+
+/// [`Primitive::hits`] of a shape, compiled once for each kind: shapes of a scene and shapes under
+/// transforms share it.
+#[inline(never)]
+pub(crate) fn hits<S: Simd, P: Primitive>(
+    shape: P,
+    rays: &Rays<S>,
+    t: Lanes<S>,
+    active: u32,
+) -> PacketHit<S> {
+    t.simd.vectorize(
+        #[inline(always)]
+        || shape.hits(rays, t, active),
+    )
+}

@@ -2,7 +2,7 @@
 
 use common::Color;
 
-use crate::accel::{NearestHits, NearestQuery, Occluder, ShadowQuery};
+use crate::accel::{NearestHits, Occluder, Query};
 use crate::lanes::{ColorPacket, RayPacket, Simd};
 use crate::shade::{IlluminationPacket, PhongPacket};
 
@@ -13,12 +13,12 @@ pub(crate) struct Batch<S: Simd> {
     /// The last occluder of each light, also from the batch before.
     pub(super) occluders: Vec<Occluder>,
     pub(super) paths: Vec<Path<S>>,
-    pub(super) nearest: Vec<NearestQuery<S>>,
+    /// For the hits of the paths, or for shadows of one source.
+    pub(super) queries: Vec<Query<'static, S>>,
     /// The vertices of the paths that have hit anything.
     pub(super) vertices: Vec<Vertex<S>>,
     /// The light of one source, and the index of the vertex that it may reach.
     pub(super) light: Vec<(usize, IlluminationPacket<S>)>,
-    pub(super) shadows: Vec<ShadowQuery<'static, S>>,
 }
 
 /// Four rays on their way from mirror to mirror.
@@ -49,10 +49,9 @@ impl<S: Simd> Batch<S> {
             simd,
             occluders: Vec::new(),
             paths: Vec::new(),
-            nearest: Vec::new(),
+            queries: Vec::new(),
             vertices: Vec::new(),
             light: Vec::new(),
-            shadows: Vec::new(),
         }
     }
 

@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 
 use super::batch::{Batch, Vertex};
 use super::{Tracer, offset_rays};
-use crate::accel::{NearestHits, ShadowQuery};
+use crate::accel::{NearestHits, Query};
 use crate::lanes::{ColorPacket, RayPacket, bits, bits_of};
 use crate::shade::PhongPacket;
 use crate::{Phong, Shading};
@@ -73,12 +73,12 @@ impl Tracer<'_> {
             paths,
             vertices,
             light,
-            shadows,
+            queries,
             occluders,
             ..
         } = batch;
         light.clear();
-        shadows.clear();
+        queries.clear();
         for (at, vertex) in vertices.iter().enumerate() {
             let (rays, hit) = (&paths[vertex.path].rays, &vertex.hits.hit);
             let mut responding = vertex.hits.hit_mask;
@@ -101,15 +101,21 @@ impl Tracer<'_> {
                 let to_light = offset_rays(rays, hit, of_source.direction);
                 let offset = hit.rounding_error(rays);
                 let distance = of_source.distance;
-                let query = ShadowQuery::new(&to_light, offset, distance, of_source.lit);
-                shadows.push(query.ending_at_first(ends_at_first));
+                let lit = of_source.lit;
+                queries.push(Query::shadow(
+                    &to_light,
+                    offset,
+                    distance,
+                    lit,
+                    ends_at_first,
+                ));
             }
             light.push((at, of_source));
         }
-        self.accelerator.traverse(shadows, &mut occluders[i]);
+        self.accelerator.traverse(queries, &mut occluders[i]);
         if source.casts_shadows {
-            for ((_, light), shadow) in light.iter_mut().zip(shadows) {
-                light.lit = shadow.unoccluded;
+            for ((_, light), query) in light.iter_mut().zip(queries) {
+                light.lit &= !query.hit_mask();
             }
         }
         for (at, light) in light {
