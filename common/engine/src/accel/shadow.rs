@@ -12,7 +12,7 @@ use crate::shape::{Counts, Rays};
 /// first. (Haines and Greenberg, The Light Buffer, 1986: shadow caching.)
 pub(crate) type Occluder = Option<ShapeId>;
 
-/// What a query for hits that block a light knows of the light, beside its distance.
+/// Says which hits of a shadow ray block the light.
 pub(super) struct Shadow<'q, S: Simd> {
     /// By as much the origins of the rays are offset.
     offset: Lanes<S>,
@@ -38,11 +38,7 @@ impl<'q, S: Simd> Query<'q, S> {
             ends_at_first,
             counts: None,
         };
-        Self {
-            t_max: distance,
-            shadow: Some(shadow),
-            ..Self::nearest(packet, active)
-        }
+        Self::before_a_light(packet, distance, active, shadow)
     }
 
     /// The query inside of an instance, in whose space these rays are; the query outside says which
@@ -58,6 +54,16 @@ impl<'q, S: Simd> Query<'q, S> {
             ends_at_first: true,
             counts: Some(counts),
         };
+        Self::before_a_light(packet, distance, active, shadow)
+    }
+
+    #[inline(always)]
+    fn before_a_light(
+        packet: &RayPacket<S>,
+        distance: Lanes<S>,
+        active: u32,
+        shadow: Shadow<'q, S>,
+    ) -> Self {
         Self {
             t_max: distance,
             shadow: Some(shadow),

@@ -93,12 +93,10 @@ impl Primitive for &Instance<'_> {
     }
 
     /// Looks for the nearest hits again, which are those that `intersect` has found.
+    #[inline(always)]
     fn hits<S: Simd>(self, rays: &Rays<S>, t: Lanes<S>, active: u32) -> PacketHit<S> {
         let query = self.query(rays, active, t);
-        t.simd.vectorize(
-            #[inline(always)]
-            || self.0.accelerator.shapes.hits_outwards(&query).hit,
-        )
+        self.0.accelerator.shapes.hits_outwards(&query).hit
     }
 
     fn any_hit_of_parts<S: Simd>(
