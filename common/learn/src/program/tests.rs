@@ -17,10 +17,12 @@ opt-level = 0
 debug = false
 
 [profile.dev.package]
+\"*\".debug-assertions = false
+\"*\".overflow-checks = false
+fearless_simd.opt-level = 1
 jpeg-decoder.opt-level = 1
 libm.opt-level = 3
 png.opt-level = 2
-toml_parser.opt-level = 1
 ";
 
 const PAGES: [&str; 8] = [
