@@ -24,7 +24,7 @@ pub(crate) struct View<'v, 'a> {
     pub tracer: &'v Tracer<'a>,
     pub settings: &'v Settings,
     pub progress: &'v dyn Progress,
-    /// The instructions of this processor.
+    /// The instructions that are used.
     pub level: Level,
 }
 

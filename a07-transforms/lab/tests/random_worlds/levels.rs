@@ -36,6 +36,7 @@ fn check_small(scene: &Scene) {
 #[test]
 fn all_instruction_sets_draw_the_locked_pictures() {
     let stages = [
+        a03_rays_cameras::stage(),
         a04_intersections::stage(),
         a05_lighting::stage(),
         a06_shadows_reflection::stage(),
