@@ -10,7 +10,7 @@ use rayon::slice::ParallelSliceMut;
 
 use crate::adaptive::{LightAt, Radiance};
 use crate::lanes::Simd;
-use crate::lanes::level::Level;
+use crate::lanes::level::{HAS_ONE, Level};
 use crate::sampler::image_position;
 use crate::trace::{BATCH, Batch, Tracer};
 use crate::{Camera, Sampler};
@@ -98,8 +98,8 @@ impl View<'_, '_> {
 impl Radiance for View<'_, '_> {
     fn tracer(&self) -> LightAt<'_> {
         // `dispatch!` would compile four levels for x86-64.
-        #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
-        if let Some(avx2) = self.level.as_avx2() {
+        #[cfg(target_arch = "x86_64")]
+        if !HAS_ONE && let Some(avx2) = self.level.as_avx2() {
             return self.tracer_with(avx2);
         }
         #[cfg(target_arch = "x86_64")]

@@ -12,8 +12,9 @@ thread_local! {
     static IS_LOWERED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Whether this build has the instructions of one level alone.
-const HAS_ONE: bool = cfg!(any(debug_assertions, not(target_arch = "x86_64")));
+/// Whether this build has the instructions of one level alone. The profile turns the engine's own
+/// assertions off, so that a crate that has them says whether this is a build for development.
+pub const HAS_ONE: bool = common::CHECKS_ASSERTIONS || cfg!(not(target_arch = "x86_64"));
 
 /// The level of a new renderer: the best of this build and processor, unless [`at_each_level`] lowers it.
 pub fn level() -> Level {
