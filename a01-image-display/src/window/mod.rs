@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 use minifb::{Key, ScaleMode, Window, WindowOptions};
 use program::{Gallery, NotShown};
 
+use dialog::Dialog;
 use input::{Event, Input};
 use screen::Screen;
 
@@ -35,23 +36,15 @@ const COVERED: Duration = Duration::from_millis(500);
 // ANCHOR: show
 /// Shows the scenes of a gallery until the window is closed.
 pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
-    check_display()?;
-    if gallery.asks_for_file() {
-        dialog::open(gallery);
-    }
     gallery.read_picture_file()?;
     let mut title = gallery.title();
-    let (width, height) = screen::window_size(gallery.picture().size());
-    let options = WindowOptions {
-        resize: true,
-        scale_mode: ScaleMode::UpperLeft,
-        ..WindowOptions::default()
-    };
-    let mut window = Window::new(&title, width, height, options).map_err(no_window)?;
-    // On a Mac, a click before the first update would end the program.
-    window.update();
+    let mut window = open(&title, screen::window_size(gallery.picture().size()))?;
     let mut input = Input::of(&mut window);
     let mut screen = Screen::default();
+    let mut dialog = None;
+    if gallery.asks_for_file() {
+        Dialog::open(&mut dialog, gallery);
+    }
     let (mut drawn, mut changes) = (Instant::now(), 0);
     let mut used = Instant::now();
     gallery.begin()?;
@@ -63,16 +56,19 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
             used = Instant::now();
         }
         for event in &events {
-            if !obey(*event, input.at, &mut screen, gallery) {
+            if !obey(*event, input.at, &mut screen, gallery, &mut dialog) {
                 return Ok(());
             }
         }
+        let is_answered = Dialog::is_answered(&mut dialog, gallery);
         let is_finished = gallery.update();
         let (width, height) = window.get_size();
         let is_placed = screen.place((width, height), gallery.picture().size());
-        let wait = if is_finished || is_placed || !events.is_empty() {
+        let is_new = is_answered || is_finished || is_placed || !events.is_empty();
+        let has_grown = gallery.picture().changes() != changes;
+        let wait = if is_new {
             Duration::ZERO
-        } else if gallery.picture().changes() != changes {
+        } else if has_grown {
             GROWN
         } else {
             COVERED
@@ -87,7 +83,9 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
             title = gallery.title();
             window.set_title(&title);
         }
-        screen.draw(gallery, input.at);
+        if is_new || has_grown || gallery.is_rendering() {
+            screen.draw(gallery, input.at);
+        }
         let shown = window.update_with_buffer(&screen.frame.pixels, width, height);
         shown.map_err(no_window)?;
     }
@@ -97,24 +95,31 @@ pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
 
 // ANCHOR: obey
 /// Does what a person wants who points there. False if the window is to be closed.
-fn obey(event: Event, at: [i32; 2], screen: &mut Screen, gallery: &mut Gallery) -> bool {
+fn obey(
+    event: Event,
+    at: [i32; 2],
+    screen: &mut Screen,
+    gallery: &mut Gallery,
+    dialog: &mut Option<Dialog>,
+) -> bool {
     match event {
         Event::Click => match screen.key_at(at) {
-            Some(key) => return obey(Event::Key(key), at, screen, gallery),
+            Some(key) => return obey(Event::Key(key), at, screen, gallery, dialog),
             None => explain(at, screen, gallery),
         },
         Event::Wheel(steps) => gallery.approach(steps),
         Event::Drag(way) => gallery.rotate(way),
         Event::Key(Key::Escape) => return false,
-        Event::Key(Key::S) => dialog::save(gallery),
-        Event::Key(Key::O) if gallery.opens_pictures() => dialog::open(gallery),
+        Event::Key(Key::S) => Dialog::save(dialog, gallery),
+        Event::Key(Key::O) if gallery.opens_pictures() => Dialog::open(dialog, gallery),
         Event::Key(Key::Left) => gallery.go_on(-1),
         Event::Key(Key::Right) => gallery.go_on(1),
         Event::Key(Key::E) => explain(at, screen, gallery),
         Event::Key(Key::R) => gallery.reset(),
         Event::Key(Key::C) => gallery.print_camera(),
         Event::Key(Key::H) => screen.lists_keys = !screen.lists_keys,
-        Event::Move | Event::Key(_) => {}
+        Event::Move => gallery.point(),
+        Event::Key(_) => {}
     }
     true
 }
@@ -129,17 +134,19 @@ fn explain(at: [i32; 2], screen: &mut Screen, gallery: &mut Gallery) {
 }
 // ANCHOR_END: obey
 
-/// An error where minifb would end the program.
-fn check_display() -> Result<(), NotShown> {
+/// Opens a window of this width and height.
+fn open(title: &str, (width, height): (usize, usize)) -> Result<Window, NotShown> {
+    let options = WindowOptions {
+        resize: true,
+        scale_mode: ScaleMode::UpperLeft,
+        ..WindowOptions::default()
+    };
     #[cfg(all(unix, not(target_os = "macos")))]
-    {
-        x_display::leave_input_method();
-        if let Some(bits) = x_display::bits_per_pixel().filter(|bits| *bits != 32) {
-            let reason = format!("no display with pixels of 32 bits to open it on (it has {bits})");
-            return Err(NotShown::NoWindow(reason));
-        }
-    }
-    Ok(())
+    let _connection = x_display::check()?;
+    let mut window = Window::new(title, width, height, options).map_err(no_window)?;
+    // On a Mac, a click before the first update would end the program.
+    window.update();
+    Ok(window)
 }
 
 fn no_window(error: minifb::Error) -> NotShown {

@@ -14,6 +14,7 @@ const BACKGROUND: u32 = 0x14_161A;
 const BAR: u32 = 0x22_262D;
 const TEXT: u32 = 0xE8_E6E1;
 const ACCENT: u32 = 0xFF_B454;
+const MISTAKE: u32 = 0xFF_7B72;
 
 /// The height of a line, in dots.
 const LINE: i32 = 22;
@@ -22,7 +23,7 @@ const LINE: i32 = 22;
 const LINES: usize = 3;
 
 /// All keys, and what they do.
-const KEYS: [(&str, &str); 10] = [
+const KEYS: [(&str, &str); 11] = [
     ("S", "save the picture"),
     ("O", "open a picture, in stage 1"),
     ("left, right", "another scene"),
@@ -33,6 +34,7 @@ const KEYS: [(&str, &str); 10] = [
     ("C", "print the camera in the terminal"),
     ("H", "this list"),
     ("Esc", "close"),
+    ("menu", "the same, on any keyboard"),
 ];
 
 /// What the window shows.
@@ -159,8 +161,13 @@ impl Screen {
         let (width, height) = (self.size.0 as i32, self.size.1 as i32);
         let letters = (width - 20 * dot) / (8 * dot);
         let mut lines = Vec::new();
+        if let Some(line) = gallery.mistake() {
+            let wrapped = wrapped(&line, letters as usize);
+            lines.extend(wrapped.into_iter().map(|line| (MISTAKE, line)));
+        }
         for line in gallery.lines(self.placement.pixel_at(pointer)) {
-            lines.extend(wrapped(&line, letters as usize));
+            let wrapped = wrapped(&line, letters as usize);
+            lines.extend(wrapped.into_iter().map(|line| (TEXT, line)));
         }
         let top = height - text_height(dot, lines.len().max(LINES));
         let bar = Area {
@@ -180,8 +187,8 @@ impl Screen {
             self.frame.fill(done, ACCENT);
         }
         let mut y = top + 9 * dot;
-        for line in lines {
-            self.frame.text([10 * dot, y], dot, TEXT, &line);
+        for (color, line) in lines {
+            self.frame.text([10 * dot, y], dot, color, &line);
             y += LINE * dot;
         }
     }
@@ -200,7 +207,12 @@ impl Screen {
         if gallery.opens_pictures() {
             entries.push(("O", "open", Key::O));
         }
-        entries.extend([("H", "keys", Key::H), ("Esc", "close", Key::Escape)]);
+        entries.extend([
+            ("R", "back", Key::R),
+            ("C", "camera", Key::C),
+            ("H", "keys", Key::H),
+            ("Esc", "close", Key::Escape),
+        ]);
         self.menu.clear();
         let mut x = 10 * dot;
         for (name, text, key) in entries {

@@ -1,5 +1,5 @@
 //! What minifb 0.29 does not survive on a display of X11: where it means to return an error, it frees memory twice.
-//! So both cases are kept from it.
+//! So both cases are kept from it. A crate that speaks X11 would take 5 s of the first build.
 
 use std::io::{Read, Write};
 use std::os::unix::net::UnixStream;
@@ -9,9 +9,11 @@ use std::process::Command;
 use std::time::Duration;
 use std::{env, fs};
 
+use program::NotShown;
+
 /// Begins the program anew if it shall use an input method, which may not be there: keys need none. A variable of the
 /// environment can be removed for a new program only.
-pub fn leave_input_method() {
+fn leave_input_method() {
     if env::var_os("XMODIFIERS").is_none() {
         return;
     }
@@ -25,9 +27,27 @@ pub fn leave_input_method() {
     }
 }
 
-/// The bits of a pixel of the display, of which minifb needs 32; none if the display is not on this machine, or does
-/// not tell.
-pub fn bits_per_pixel() -> Option<u8> {
+/// A connection to the display, if it is on this machine and answers. A display whose last program has left may
+/// begin anew and refuse the next for a moment, so the caller holds the connection until its window is open. An error
+/// if minifb has no colours for the display, or would end the program.
+pub fn check() -> Result<Option<UnixStream>, NotShown> {
+    leave_input_method();
+    let Some((connection, format)) = connect() else {
+        return Ok(None);
+    };
+    // The depth is the number of bits that have a meaning: 8 for a colour, and 8 more for how opaque it is.
+    if matches!((format[0], format[1]), (24 | 32, 32)) {
+        return Ok(Some(connection));
+    }
+    let reason = format!(
+        "no display with colours of 24 bits to open it on (it has {})",
+        format[0]
+    );
+    Err(NotShown::NoWindow(reason))
+}
+
+/// A connection to the display, and the depth and the bits of a pixel there.
+fn connect() -> Option<(UnixStream, [u8; 2])> {
     let display = env::var("DISPLAY").ok()?;
     let number = display.strip_prefix(':')?.split('.').next()?;
     let server = Path::new("/tmp/.X11-unix").join(format!("X{number}"));
@@ -67,9 +87,9 @@ fn cookies(display: &str) -> Vec<Vec<u8>> {
 /// The name of the secrets.
 const NAME: &[u8] = b"MIT-MAGIC-COOKIE-1";
 
-/// Begins to speak X11, version 11.0, with a server, which answers with the forms of its pixels. The numbers are
-/// places in chapter 8 of its protocol.
-fn ask(server: &Path, cookie: &[u8]) -> Option<u8> {
+/// Begins to speak X11, version 11.0, with a server, which answers with the depth and the bits of its pixels. The
+/// numbers are places in chapter 8 of its protocol.
+fn ask(server: &Path, cookie: &[u8]) -> Option<(UnixStream, [u8; 2])> {
     let name = if cookie.is_empty() { &[] } else { NAME };
     let mut request = vec![
         b'l',
@@ -103,5 +123,5 @@ fn ask(server: &Path, cookie: &[u8]) -> Option<u8> {
     let depth = *answer.get(end + 38)?;
     let mut formats = answer.get(start..end)?.chunks_exact(8);
     let format = formats.find(|format| format[0] == depth && head[0] == 1)?;
-    Some(format[1])
+    Some((stream, [format[0], format[1]]))
 }

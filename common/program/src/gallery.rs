@@ -7,6 +7,7 @@ use std::mem;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
+use std::time::Instant;
 
 use common::{Edits, Error, Image, Scene, Settings, Size, Stage};
 
@@ -36,6 +37,10 @@ pub struct Gallery<'a> {
     explained: Option<ExplainedPixel>,
     /// The answer to the last key; empty if there is none.
     message: String,
+    /// When it was given.
+    answered: Instant,
+    /// What is wrong with the finished picture; empty if nothing is.
+    warning: String,
 }
 
 /// The rendering of the picture.
@@ -67,6 +72,8 @@ impl<'a> Gallery<'a> {
             job: Job::Idle,
             explained: None,
             message: String::new(),
+            answered: Instant::now(),
+            warning: String::new(),
         };
         if let Some(scene) = gallery.scene() {
             let settings = gallery.settings(scene)?;
@@ -159,6 +166,8 @@ impl<'a> Gallery<'a> {
         self.picture.stop();
         self.job = Job::Idle;
         (self.explained, self.has_moved) = (None, false);
+        self.message.clear();
+        self.warning.clear();
         let Some(scene) = self.scene().cloned() else {
             return Ok(());
         };
@@ -170,7 +179,12 @@ impl<'a> Gallery<'a> {
         let picture = Arc::new(LivePicture::new(settings.size, settings.transfer));
         picture.begin_with(&self.picture);
         self.picture = Arc::clone(&picture);
-        let render = move || threads.install(|| picture.render(&scene, &settings));
+        // The pixels of a large picture take long to pack, too.
+        let render = move || {
+            let image = threads.install(|| picture.render(&scene, &settings))?;
+            picture.finish(&image);
+            Ok(image)
+        };
         self.job = Job::Running(thread::spawn(render));
         Ok(())
     }
@@ -224,6 +238,7 @@ impl<'a> Gallery<'a> {
         let Job::Running(thread) = mem::replace(&mut self.job, Job::Idle) else {
             return;
         };
+        self.message.clear();
         let outcome = thread.join();
         let outcome = outcome.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         if let Ok(image) = &outcome {
@@ -231,9 +246,9 @@ impl<'a> Gallery<'a> {
                 // The size of a file is not known before.
                 let mut picture = LivePicture::new(image.size(), self.options.transfer);
                 picture.began = self.picture.began;
+                picture.finish(image);
                 self.picture = Arc::new(picture);
             }
-            self.picture.finish(image);
             // A camera that was moved by hand may look away.
             if self.edits == Edits::default()
                 && let Some(scene) = self.scene()
@@ -243,7 +258,7 @@ impl<'a> Gallery<'a> {
             }
             let bad = image.count_non_finite();
             if bad > 0 {
-                self.message = format!("warning: {bad} pixels are no finite numbers");
+                self.warning = format!("warning: {bad} pixels are no finite numbers");
             }
         }
         self.job = Job::Done(outcome);

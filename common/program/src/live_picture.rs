@@ -94,8 +94,11 @@ impl LivePicture {
         scene.render(settings, self)
     }
 
-    /// Shows a finished picture of the same size.
+    /// Shows a finished picture; one of another size has no place here.
     pub fn finish(&self, image: &Image) {
+        if self.size != image.size() {
+            return;
+        }
         for (y, row) in (0..).zip(image.rows()) {
             self.paint(y, &mut row.iter().copied());
         }

@@ -1,6 +1,5 @@
 //! `Target`: where pictures are written.
 
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file, text};
@@ -29,7 +28,6 @@ impl Target {
         let Some(path) = output else {
             return Ok(Self::default());
         };
-        let is_png = |end: &OsStr| end.eq_ignore_ascii_case("png");
         match path.extension() {
             _ if path.as_os_str() == "-" => Err(Error::Usage(
                 "-o - must be a folder or the name of a PNG file; pictures are not written to \
@@ -38,7 +36,7 @@ impl Target {
             )),
             _ if path.is_dir() => Ok(Self::Folder(path)),
             None => Ok(Self::Folder(path)),
-            Some(end) if !is_png(end) => Err(Error::Usage(format!(
+            Some(_) if !is_png(&path) => Err(Error::Usage(format!(
                 "-o {} must be a folder or the name of a PNG file, ending in .png",
                 text::path(&path)
             ))),
@@ -85,6 +83,22 @@ impl Target {
         picture_file::save_png(&path, image.size(), &image.to_rgb8(transfer))?;
         Ok(path)
     }
+}
+
+fn is_png(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|end| end.eq_ignore_ascii_case("png"))
+}
+
+/// An error if the name of a file is not that of a PNG file.
+pub fn check_png(path: &Path) -> Result<(), Error> {
+    if is_png(path) {
+        return Ok(());
+    }
+    Err(Error::Usage(format!(
+        "{} must be the name of a PNG file, ending in .png; nothing is saved",
+        text::path(path)
+    )))
 }
 
 /// Makes `out/` if it is missing.

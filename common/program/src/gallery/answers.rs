@@ -1,6 +1,7 @@
 //! The answers of a gallery to what a person asks: lines of text, the numbers of a pixel, files.
 
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 use common::pixel_trace::digits;
 use common::{Color, Error, Image, picture_file, text};
@@ -10,7 +11,10 @@ use crate::explained_pixel::ExplainedPixel;
 use crate::opened_file::OpenedFile;
 use crate::print::print;
 use crate::save::save_beside_others;
-use crate::target::make_default_folder;
+use crate::target::{check_png, make_default_folder};
+
+/// A short sentence is read in this time.
+const READ: Duration = Duration::from_secs(2);
 
 impl Gallery<'_> {
     fn name(&self) -> String {
@@ -30,29 +34,35 @@ impl Gallery<'_> {
         format!("{stage}: {name}, {times}")
     }
 
-    /// A few lines for a person: an error, the answer to the last key, the pixel that is explained, or the
-    /// scene and the pixel under the mouse.
+    /// What is wrong with the scene or its picture; none if nothing is.
+    #[must_use]
+    pub fn mistake(&self) -> Option<String> {
+        let error = self.error().map(|error| format!("error: {error}"));
+        let warning = (!self.warning.is_empty()).then(|| self.warning.clone());
+        error.or(warning)
+    }
+
+    /// A few lines for a person: the answer to the last key, and the pixel that is explained, or the scene and
+    /// the pixel under the mouse.
     #[must_use]
     pub fn lines(&self, pointer: Option<[u32; 2]>) -> Vec<String> {
-        if let Some(error) = self.error() {
-            return vec![format!("error: {error}")];
-        }
+        let mut lines = Vec::new();
         if !self.message.is_empty() {
-            return vec![self.message.clone()];
+            lines.push(self.message.clone());
         }
+        let Some(scene) = self.scene() else {
+            return lines;
+        };
         if let Some(explained) = &self.explained {
             let color = self.color(explained.pixel).unwrap_or(explained.color);
-            let object = explained.object.as_deref().map(str::to_owned);
-            let bytes = self.bytes(explained.pixel);
-            let color = format!("colour {}", digits(&color.channels()));
-            return [Some(bytes), object, Some(color)]
-                .into_iter()
-                .flatten()
-                .collect();
+            lines.push(self.bytes(explained.pixel));
+            lines.extend(explained.object.as_deref().map(str::to_owned));
+            lines.push(format!("colour {}", digits(&color.channels())));
+        } else {
+            lines.push(scene.about.to_owned());
+            lines.extend(pointer.map(|pixel| self.bytes(pixel)));
         }
-        let about = self.scene().map(|scene| scene.about.to_owned());
-        let pixel = pointer.map(|pixel| self.bytes(pixel));
-        about.into_iter().chain(pixel).collect()
+        lines
     }
 
     /// Why there is no picture, or why it is not that of the file as it is now.
@@ -86,7 +96,7 @@ impl Gallery<'_> {
         let color = self.color(pixel).unwrap_or(seen);
         let explained = self
             .scene()
-            .ok_or(Error::Stopped)
+            .ok_or_else(no_scene)
             .and_then(|scene| ExplainedPixel::new(scene, self.settings(scene)?, pixel, color));
         let printed = explained.and_then(|explained| {
             print(&explained.text)?;
@@ -94,6 +104,18 @@ impl Gallery<'_> {
             Ok(())
         });
         self.note(printed);
+    }
+
+    /// Ends the answer to the last key.
+    pub fn end_answer(&mut self) {
+        self.message.clear();
+    }
+
+    /// The mouse moves: ends an answer that a person has had time to read.
+    pub fn point(&mut self) {
+        if self.answered.elapsed() > READ {
+            self.end_answer();
+        }
     }
 
     /// No longer explains a pixel.
@@ -104,7 +126,7 @@ impl Gallery<'_> {
 
     /// Prints the camera as the lines of a scene file.
     pub fn print_camera(&mut self) {
-        let lines = self.scene().ok_or(Error::Stopped).and_then(|scene| {
+        let lines = self.scene().ok_or_else(no_scene).and_then(|scene| {
             let lines = scene.rays()?.camera_lines(&self.settings(scene)?)?;
             print(&lines)
         });
@@ -121,7 +143,7 @@ impl Gallery<'_> {
             _ => Err(Error::Usage("there is no picture to save".to_owned())),
         };
         let printed = saved.and_then(|path| {
-            self.message = format!("saved {}", text::path(&path));
+            self.say(&format!("saved {}", text::path(&path)));
             print(&self.message)
         });
         self.note(printed);
@@ -130,6 +152,7 @@ impl Gallery<'_> {
     fn write(&self, image: &Image, path: Option<PathBuf>) -> Result<PathBuf, Error> {
         let (size, rgb) = (image.size(), image.to_rgb8(self.options.transfer));
         if let Some(path) = path {
+            check_png(&path)?;
             picture_file::save_png(&path, size, &rgb)?;
             return Ok(path);
         }
@@ -143,18 +166,31 @@ impl Gallery<'_> {
         format!("{}-{scene}", self.stage.name)
     }
 
+    /// Whether there is a finished picture.
+    #[must_use]
+    pub const fn has_picture(&self) -> bool {
+        matches!(self.job, Job::Done(Ok(_)))
+    }
+
     /// Says that no file was chosen.
     pub fn note_no_file(&mut self) {
         self.say("no file was chosen; --open FILE names one");
     }
 
-    fn say(&mut self, message: &str) {
+    /// Gives an answer.
+    pub fn say(&mut self, message: &str) {
         message.clone_into(&mut self.message);
+        self.answered = Instant::now();
     }
 
     fn note(&mut self, outcome: Result<(), Error>) {
         if let Err(error) = outcome {
-            self.message = error.to_string();
+            self.say(&error.to_string());
         }
     }
+}
+
+/// The scene file was never right.
+fn no_scene() -> Error {
+    Error::Usage("there is no scene yet".to_owned())
 }

@@ -15,21 +15,25 @@ impl Gallery<'_> {
         self.start_or_fail();
     }
 
-    /// Rotates the camera around the middle of the scene, by a way of the mouse in pixels.
+    /// Rotates the camera around the middle of the scene, by a displacement of the mouse in pixels.
     pub fn rotate(&mut self, [right, down]: [i32; 2]) {
-        self.edits.orbit[0] -= ANGLE * f64::from(right);
-        self.edits.orbit[1] -= ANGLE * f64::from(down);
-        self.move_camera();
+        self.move_camera(|edits| {
+            edits.orbit[0] -= ANGLE * f64::from(right);
+            edits.orbit[1] -= ANGLE * f64::from(down);
+        });
     }
 
     /// Moves the camera towards the middle of the scene, by steps of a tenth of the distance.
     pub fn approach(&mut self, steps: i32) {
-        self.edits.steps += steps;
-        self.move_camera();
+        self.move_camera(|edits| edits.steps += steps);
     }
 
-    fn move_camera(&mut self) {
+    /// A scene without a camera, or one that is not there yet, has none to move.
+    fn move_camera(&mut self, edit: impl FnOnce(&mut Edits)) {
         self.message.clear();
-        self.has_moved = self.scene().is_some_and(|scene| scene.rays().is_ok());
+        if self.scene().is_some_and(|scene| scene.rays().is_ok()) {
+            edit(&mut self.edits);
+            self.has_moved = true;
+        }
     }
 }

@@ -80,7 +80,7 @@ fn a_file_is_watched_while_another_scene_is_shown() {
 #[test]
 fn a_broken_file_is_waited_for_and_a_corrected_one_has_no_error() {
     with_file("broken", |gallery, path| {
-        let line = |gallery: &Gallery| gallery.lines(None).concat();
+        let line = |gallery: &Gallery| gallery.mistake().unwrap_or_default();
         assert!(line(gallery).contains("no number"));
         assert!(gallery.scene().is_none() && !gallery.is_rendering());
         // Its place in the list can be left and reached again.
@@ -93,6 +93,44 @@ fn a_broken_file_is_waited_for_and_a_corrected_one_has_no_error() {
         save(path, "0.2 again");
         assert_eq!(shown(gallery), 51, "the picture stays");
         assert!(line(gallery).contains("no number"));
+    });
+}
+
+#[test]
+fn before_the_file_is_right_there_is_nothing_to_move_print_or_save() {
+    with_file("broken", |gallery, path| {
+        gallery.rotate([30, 0]);
+        gallery.approach(1);
+        assert_eq!(gallery.edits, Edits::default());
+        gallery.print_camera();
+        assert_eq!(gallery.lines(None), ["there is no scene yet"]);
+        gallery.save(None);
+        assert_eq!(gallery.lines(None), ["there is no picture to save"]);
+        save(path, "0.2");
+        assert_eq!(shown(gallery), 51);
+        assert_eq!(gallery.lines(None), [""]);
+    });
+}
+
+#[test]
+fn an_answer_stands_above_the_numbers_of_a_pixel_and_ends() {
+    with_file("0.2", |gallery, path| {
+        gallery.save(None);
+        assert_eq!(gallery.lines(None)[0], "the picture is not finished yet");
+        shown(gallery);
+        assert_eq!(gallery.lines(None), [""]);
+        gallery.explain([0, 0]);
+        let numbers = gallery.lines(None);
+        let letter = path.with_file_name("letter.jpg");
+        gallery.save(Some(letter.clone()));
+        let lines = gallery.lines(None);
+        assert!(lines[0].contains("ending in .png") && !letter.exists());
+        assert_eq!(lines[1..], numbers);
+        gallery.point();
+        assert_eq!(gallery.lines(None), lines, "nobody has read it");
+        gallery.answered -= Duration::from_secs(3);
+        gallery.point();
+        assert_eq!(gallery.lines(None), numbers);
     });
 }
 
