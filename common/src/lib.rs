@@ -29,6 +29,7 @@ pub mod svg;
 pub mod text;
 mod trace;
 mod transfer;
+pub mod workbook;
 
 pub use argument::ArgumentError;
 pub use color::Color;

@@ -25,6 +25,7 @@ impl Stage {
     pub fn scene(&self, name: &str) -> Result<Scene, Error> {
         if let Some((_, end)) = name.rsplit_once('.') {
             let none = match self.open {
+                _ if Path::new(name).is_dir() => format!("{} is a folder", text::name(name)),
                 Some(open) if end == "toml" => return open(name.as_ref()),
                 Some(_) => format!("{} is no scene file, which ends in .toml", text::name(name)),
                 None => format!("{} opens no scene files; stages 4 to 7 do", self.name),
@@ -34,8 +35,17 @@ impl Stage {
         let known = self.scenes.iter().find(|scene| scene.name == name);
         known.cloned().ok_or_else(|| {
             let names: Vec<_> = self.scenes.iter().map(|scene| scene.name).collect();
+            if Path::new(name).is_dir() {
+                return Error::Usage(format!("{} is a folder", text::name(name)));
+            }
+            let begins = names.iter().copied().find(|known| known.starts_with(name));
+            let nearest = begins.or_else(|| text::nearest(&names, name));
+            let nearest = nearest.map(|nearest| format!("; the nearest is {nearest}"));
+            let nearest = nearest.unwrap_or_default();
             let (stage, name, names) = (self.name, text::name(name), names.join(", "));
-            Error::Usage(format!("{stage} has no scene \"{name}\"; it has {names}"))
+            Error::Usage(format!(
+                "{stage} has no scene \"{name}\"{nearest}; it has {names}"
+            ))
         })
     }
 }

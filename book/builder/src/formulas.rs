@@ -1,9 +1,14 @@
 //! Formulas: Markdown would take their signs for its own, so it gets them marked. `formulas.js` draws them.
 
+/// What a page with formulas says to a browser that does not draw them.
+const NOTICE: &str = "<noscript>\n\n*JavaScript draws the formulas of this page. Without it they stand as they are \
+    typed, in the language of TeX.*\n\n</noscript>\n\n";
+
 /// Puts each formula of a page, between `$` and `$` or between `$$` and `$$`, into an element whose text
 /// is the formula. An error is a formula or code that does not end.
 pub fn mark(page: &str) -> Result<String, String> {
     let mut marked = String::new();
+    let mut has_formulas = false;
     let mut rest = page;
     while let Some(start) = rest.find(['$', '`']) {
         let (before, from) = rest.split_at(start);
@@ -16,6 +21,7 @@ pub fn mark(page: &str) -> Result<String, String> {
             return Err(format!("{line}: a second {delimiter} is missing"));
         };
         marked += before;
+        has_formulas |= sign == '$';
         marked += &match delimiter {
             "$" => element("formula", inside),
             "$$" => element("formula display", inside),
@@ -23,7 +29,8 @@ pub fn mark(page: &str) -> Result<String, String> {
         };
         rest = after;
     }
-    Ok(marked + rest)
+    let notice = if has_formulas { NOTICE } else { "" };
+    Ok([notice, &marked, rest].concat())
 }
 
 fn element(class: &str, formula: &str) -> String {
@@ -47,7 +54,8 @@ mod tests {
         let page = "`$a$` and ```` ```$ ```` cost $c_i$:\n\n$$\nx'\n$$\n";
         let expected = "`$a$` and ```` ```$ ```` cost <span class=\"formula\">c\\_i</span>:\n\n\
             <span class=\"formula display\"> x\\' </span>\n";
-        assert_eq!(mark(page).unwrap(), expected);
+        assert_eq!(mark(page).unwrap(), [NOTICE, expected].concat());
+        assert_eq!(mark("`$a$` costs nothing").unwrap(), "`$a$` costs nothing");
         assert_eq!(
             mark("cost $c\nor $d$").unwrap_err(),
             "$: a second $ is missing"

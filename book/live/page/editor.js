@@ -113,8 +113,13 @@ live.Editor = class {
         }
     }
 
-    // Shows a mistake, which begins with its line and column.
+    // Shows a mistake, which begins with its line and column. What was said of an earlier text ends.
     complain(message) {
+        if (message) {
+            this.said.value = '';
+            this.dependents.hide();
+            this.picture.status && (this.picture.status.value = '');
+        }
         const [, line, words] = /^(\d+):\d+: (.*)/s.exec(message) ?? [];
         this.line = Number(line ?? 0);
         this.mistake.value = line ? `line ${line}: ${words}` : message;

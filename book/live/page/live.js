@@ -42,6 +42,8 @@ live.start = async (file = 'live-module.js') => {
     const worker = new Worker(URL.createObjectURL(new Blob([source])));
     const open = new Map();
     let last = 0;
+    const refuse = (reason) => open.forEach(({ reject }) => reject(new Error(reason)));
+    worker.onerror = () => refuse('the browser starts no worker here; the server of this page may forbid it');
     worker.onmessage = ({ data: { id, answer, error } }) => {
         const { resolve, reject } = open.get(id);
         open.delete(id);
@@ -56,7 +58,7 @@ live.start = async (file = 'live-module.js') => {
     post.isBusy = () => open.size > 0;
     post.stop = (reason) => {
         worker.terminate();
-        open.forEach(({ reject }) => reject(new Error(reason)));
+        refuse(reason);
     };
     return post;
 };

@@ -1,22 +1,28 @@
 //! The student's file of an exercise, which begins as a copy of the starter.
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 use std::time::SystemTime;
 use std::{env, fs, io};
 
-use common::text;
+use common::{text, workbook};
 
 use crate::exercise::Exercise;
 
-/// The folder of the workbook, of which `cargo run` knows the newest place.
+/// The folder of the workbook: of the package that `cargo run` runs, or else around the current folder.
 #[must_use]
 pub fn workspace() -> PathBuf {
-    let folder = match env::var_os("CARGO_MANIFEST_DIR") {
-        Some(folder) => PathBuf::from(folder),
-        None => PathBuf::from(env!("CARGO_MANIFEST_DIR")),
-    };
-    let workspace = folder.ancestors().nth(2);
-    workspace.map(Path::to_owned).unwrap_or_default()
+    static WORKSPACE: LazyLock<PathBuf> = LazyLock::new(|| {
+        let above = |package: &Path| package.ancestors().nth(2).unwrap_or(package).to_owned();
+        match env::var_os("CARGO_MANIFEST_DIR") {
+            Some(package) => above(package.as_ref()),
+            None => {
+                let built = above(env!("CARGO_MANIFEST_DIR").as_ref());
+                workbook::with_file("common/learn/Cargo.toml", &built)
+            }
+        }
+    });
+    WORKSPACE.clone()
 }
 
 /// A path in the workbook: in the current folder, without that of the folder.
@@ -100,10 +106,32 @@ pub(crate) fn is_begun(exercise: &Exercise) -> bool {
 /// Writes the starter, if the student has no file yet.
 pub(crate) fn begin(exercise: &Exercise) -> Result<(), String> {
     let yours = yours(exercise);
-    if !yours.exists() {
-        fs::write(&yours, starter(exercise)?).map_err(with_path(&yours))?;
+    if yours.exists() {
+        return Ok(());
     }
-    Ok(())
+    if let Some(near) = near_name(&yours, exercise.name) {
+        let [near, yours] = [near, yours].map(|path| text::path(&path));
+        return Err(format!("there is {near}; rename it to {yours}"));
+    }
+    fs::write(&yours, starter(exercise)?).map_err(with_path(&yours))
+}
+
+/// A file beside the student's whose name an editor or a browser may have made of it, such as `mean.rs.txt`,
+/// `Mean.rs` or `mean (1).rs`.
+fn near_name(yours: &Path, exercise: &str) -> Option<PathBuf> {
+    let plain = |name: &str| {
+        let letters = name.chars().filter(|c| c.is_alphanumeric());
+        letters.collect::<String>().to_lowercase()
+    };
+    let exercise = plain(exercise);
+    let mut files = fs::read_dir(yours.parent()?).ok()?.flatten();
+    let near = files.find(|file| {
+        let name = plain(&file.file_name().to_string_lossy());
+        let rest = name.strip_prefix(&exercise);
+        let rest = rest.map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+        matches!(rest, Some("rs" | "rstxt")) && file.path() != yours
+    });
+    near.map(|file| file.path())
 }
 
 /// Renames the student's file, and copies the starter. Returns where both are.
@@ -129,5 +157,31 @@ fn free_backup(file: &Path) -> PathBuf {
             return backup;
         }
         number += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_of_nearly_the_name_is_found_and_no_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let yours = folder.path().join("set_pixel.rs");
+        for other in ["set_pixel.1.bak", "set_pixels.rs", "pixel.rs", "line.rs"] {
+            fs::write(folder.path().join(other), "").unwrap();
+        }
+        assert_eq!(near_name(&yours, "set_pixel"), None);
+        for near in [
+            "set_pixel.rs.txt",
+            "Set_Pixel.rs",
+            "set-pixel.rs",
+            "set_pixel (1).rs",
+        ] {
+            let near = folder.path().join(near);
+            fs::write(&near, "").unwrap();
+            assert_eq!(near_name(&yours, "set_pixel"), Some(near.clone()));
+            fs::remove_file(near).unwrap();
+        }
     }
 }

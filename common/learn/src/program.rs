@@ -27,6 +27,9 @@ const LEFT_OUT: [&str; 2] = ["chain", "stripe"];
 const STAGE_OF_TRACER: &str = "a06-shadows-reflection";
 const TRACER: &str = include_str!("program/recursive_tracer.rs");
 
+/// How `functions.rs` begins if no person wrote it.
+const FIRST_LINE: &str = "//! Your functions. `cargo learn program` writes this file anew";
+
 /// The beginning of `functions.rs`.
 const BEGINNING: &str = "\
 //! Your functions. `cargo learn program` writes this file anew; of an exercise that is open, it takes the
@@ -143,7 +146,14 @@ fn bring(
         functions += &module("recursive_tracer", TRACER);
         write_unless_edited(folder, "recursive_tracer", TRACER, TRACER)?;
     }
-    write(&folder.join("src/functions.rs"), &functions)?;
+    let path = folder.join("src/functions.rs");
+    if fs::read_to_string(&path).is_ok_and(|text| !text.starts_with(FIRST_LINE)) {
+        let path = text::path(&path);
+        return Err(format!(
+            "{path} is yours, and the functions would be written there; rename it"
+        ));
+    }
+    write(&path, &functions)?;
     manifest::complete(folder, libraries)?;
     Ok(brought)
 }

@@ -1,11 +1,12 @@
 //! `submit`: packs the student's files into one zip file.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, Cursor, Write};
+use std::path::Path;
 
 use common::text;
-use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
+use zip::{ZipArchive, ZipWriter};
 
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
@@ -33,6 +34,11 @@ impl Submit {
             return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
         }
         let path = format!("{name}.zip");
+        if !is_replaced(path.as_ref()) {
+            return Err(format!(
+                "{path} has other files than exercises; move it, or submit by another name"
+            ));
+        }
         let bytes = pack(&begun)?;
         fs::write(&path, bytes).map_err(with_path(path.as_ref()))?;
         let progress = Progress::read();
@@ -40,6 +46,18 @@ impl Submit {
         let count = begun.len();
         Ok(format!("{path}: {count} files, {done} of them done"))
     }
+}
+
+/// Whether a file may be written anew: it is missing, or has nothing but exercises, as an earlier one has.
+fn is_replaced(path: &Path) -> bool {
+    let Ok(file) = File::open(path) else {
+        return !path.exists();
+    };
+    ZipArchive::new(file).is_ok_and(|zip| {
+        zip.file_names()
+            .flatten()
+            .all(|name| name.contains("/exercises/"))
+    })
 }
 
 /// The bytes of the zip file.

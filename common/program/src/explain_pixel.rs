@@ -9,6 +9,7 @@ use crate::explained_pixel::trace_in_words;
 use crate::options::Options;
 use crate::print::{print, warn};
 use crate::render::{render, warn_unused};
+use crate::target::check_no_input;
 
 /// Most samples whose steps are recorded: each takes about 10 kB.
 const MOST_SAMPLES: u32 = 4096;
@@ -69,6 +70,7 @@ fn explain_pixel(
     let ([x, y], options) = (pixel, &arguments.options);
     let rays = scene.rays()?;
     if let Some(path) = &arguments.drawing {
+        check_no_input(path, scene, options)?;
         atomic_file::check_writable(path)?;
     }
     warn_unused(scene, options, &settings);

@@ -2,15 +2,16 @@
 
 use std::env;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{self, ExitCode};
 
 use clap::{Args, Subcommand};
-use common::{Error, Stage, atomic_file, text};
+use common::{Error, Stage, atomic_file, text, workbook};
 
 use crate::explain_pixel::{ExplainArgs, explain};
 use crate::options::Options;
 use crate::print::print;
+use crate::target::check_no_input;
 
 /// The commands.
 #[derive(Subcommand)]
@@ -67,7 +68,10 @@ pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
             let scene = stage.scene(&scene)?;
             let text = scene.rays()?.export(&to, &options.settings(&scene)?)?;
             match output {
-                Some(path) => atomic_file::write(&path, text.as_bytes()),
+                Some(path) => {
+                    check_no_input(&path, &scene, &options)?;
+                    atomic_file::write(&path, text.as_bytes())
+                }
                 None => print(text.trim_end()),
             }
         }
@@ -77,14 +81,15 @@ pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// The folder of the workbook.
+/// The folder of the workbook in which this program was built.
 const WORKBOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Runs a command of the stage's laboratory, in the profile of this build, and returns its exit
 /// code. The laboratory is a program of its own, built when first asked for, so that nobody
 /// waits for it on the way to the first picture.
 fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<ExitCode, Error> {
-    let manifest = Path::new(WORKBOOK).join(stage.name).join("lab/Cargo.toml");
+    let manifest = format!("{}/lab/Cargo.toml", stage.name);
+    let manifest = workbook::with_file(&manifest, WORKBOOK.as_ref()).join(manifest);
     if !manifest.is_file() {
         let (name, missing) = (stage.name, text::path(&manifest));
         let none = format!("{name} has no laboratory: there is no {missing}");

@@ -33,7 +33,7 @@ pub fn render_to_files(
     let mut jobs = Vec::new();
     for scene in scenes {
         jobs.push((scene, options.settings(scene)?));
-        target.check(stage, scene)?;
+        target.check(stage, scene, options)?;
     }
     for (scene, settings) in jobs {
         warn_unused(scene, options, &settings);

@@ -10,6 +10,7 @@ use common::{Error, Scene, Stage, text};
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
 use crate::print::{ignore_broken_pipe, print, warn};
+use crate::target::is_same_file;
 use crate::{render, show};
 
 /// Runs the program of `stage` with the arguments of this process.
@@ -98,14 +99,7 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
             if watch {
                 return render::watch(stage, &scenes, render).map(|()| ExitCode::SUCCESS);
             }
-            let mut chosen: Vec<Scene> = Vec::new();
-            for name in &scenes {
-                let scene = stage.scene(name)?;
-                // A scene that is named twice is rendered once.
-                if !chosen.iter().any(|chosen| chosen.name == scene.name) {
-                    chosen.push(scene);
-                }
-            }
+            let mut chosen = named(stage, &scenes)?;
             if all {
                 chosen.extend_from_slice(&stage.scenes);
             }
@@ -114,6 +108,25 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
         Some(Command::Laboratory(it)) => return crate::laboratory::execute(stage, it),
     };
     done.map(|()| ExitCode::SUCCESS)
+}
+
+/// The scenes of these names; one that is named twice counts once. An error if two have one picture file.
+fn named(stage: &Stage, names: &[String]) -> Result<Vec<Scene>, Error> {
+    let mut chosen: Vec<(&str, Scene)> = Vec::new();
+    for name in names {
+        let scene = stage.scene(name)?;
+        let Some((other, _)) = chosen.iter().find(|(_, other)| other.name == scene.name) else {
+            chosen.push((name, scene));
+            continue;
+        };
+        if *other != name && !is_same_file(other.as_ref(), name.as_ref()) {
+            let [other, name] = [*other, name].map(text::name);
+            return Err(Error::Usage(format!(
+                "{other} and {name} would be written to one file; render each by itself, with -o"
+            )));
+        }
+    }
+    Ok(chosen.into_iter().map(|(_, scene)| scene).collect())
 }
 
 fn list(stage: &Stage) -> Result<(), Error> {

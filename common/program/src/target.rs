@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file, text};
 
+use crate::options::Options;
+
 /// The folder for pictures, below the current one.
 const DEFAULT_FOLDER: &str = "out";
 
@@ -56,7 +58,8 @@ impl Target {
     }
 
     /// An error if the picture of `scene` cannot be written.
-    pub fn check(&self, stage: &Stage, scene: &Scene) -> Result<(), Error> {
+    pub fn check(&self, stage: &Stage, scene: &Scene, options: &Options) -> Result<(), Error> {
+        check_no_input(&self.path(stage, scene), scene, options)?;
         match self {
             // A folder can be made wherever a file can.
             Self::Folder(folder) if !folder.exists() => {
@@ -99,6 +102,24 @@ pub fn check_png(path: &Path) -> Result<(), Error> {
         "{} must be the name of a PNG file, ending in .png; nothing is saved",
         text::path(path)
     )))
+}
+
+/// Whether both names lead to one file that is there.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    let found = [one, other].map(std::fs::canonicalize);
+    matches!(found, [Ok(one), Ok(other)] if one == other)
+}
+
+/// An error if the file that is about to be written is one of those that the scene is read from.
+pub fn check_no_input(path: &Path, scene: &Scene, options: &Options) -> Result<(), Error> {
+    let mut inputs = scene.files.iter().chain(&options.open);
+    match inputs.find(|input| is_same_file(path, input)) {
+        Some(input) => Err(Error::Usage(format!(
+            "{} is read by this command; it needs another file to write",
+            text::path(input)
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Makes `out/` if it is missing.

@@ -35,7 +35,14 @@ pub fn mistake(text: &str, error: &ParserError) -> Error {
             );
         }
     }
-    let message = error.message().replace('\n', ", ");
+    let mut message = error.message().replace('\n', ", ");
+    if ["expected `nan`", "expected `inf`"]
+        .iter()
+        .any(|end| message.ends_with(end))
+    {
+        // The parser guesses; a scene file takes neither.
+        message = "invalid value".to_owned();
+    }
     let hint = hint(&message, line).map_or(String::new(), |hint| format!(" ({hint})"));
     let (message, line) = (text::visible(&message), text::name(line.trim()));
     Error::new(at, format!("{message}{hint}: {line}"))
@@ -60,6 +67,11 @@ fn hint(message: &str, line: &str) -> Option<&'static str> {
         Some("a comment begins with #, and nothing else stands behind a value")
     } else if value.starts_with(|first: char| first.is_ascii_digit() || ".+-(".contains(first)) {
         Some("a number is such as 0.8, without a unit and not computed, a list such as [0, 3, 9]")
+    } else if value.starts_with(char::is_alphabetic) {
+        Some(
+            "a number is such as 0.8, not computed, a list such as [0, 3, 9], and a text stands in \
+             quotation marks, such as \"red\"",
+        )
     } else {
         None
     }

@@ -191,6 +191,13 @@ impl Reader<'_> {
                 );
                 Err(error(value, text))
             }
+            DeValue::Table(_) => {
+                let name = key.name;
+                let text = format!(
+                    "{name} may stand there several times, so its tables are a list: {name} = [{{ ... }}]"
+                );
+                Err(error(value, text))
+            }
             _ => Err(wrong(key, value)),
         }
     }
@@ -275,6 +282,11 @@ fn wrong(key: &Key, value: &Spanned<DeValue>) -> Error {
         "define" => ", with a name, behind which its shapes stand, such as [[define.pawn.sphere]]",
         _ => "",
     };
+    let is_number = |text: &str| text.trim().parse::<f64>().is_ok();
+    let quoted = match value.get_ref() {
+        DeValue::String(text) if is_number(text) => ", without quotation marks",
+        _ => "",
+    };
     let (name, needed) = (key.name, key.needed());
-    error(value, format!("{name} must be {needed}{behind}"))
+    error(value, format!("{name} must be {needed}{quoted}{behind}"))
 }

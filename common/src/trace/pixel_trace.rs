@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use crate::steps::{Step, StepKind};
+use crate::steps::{Outcome, Step, StepKind};
 use crate::{Color, Transfer, text};
 
 /// A value in a trace.
@@ -93,15 +93,32 @@ pub fn digits(numbers: &[f64]) -> String {
     }
 }
 
+/// So many objects beside a ray, one after the other, are listed; more are counted.
+const LISTED: usize = 20;
+
 /// The steps, one on a line and indented by their level, and the sections that explain them.
 impl fmt::Display for PixelTrace {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let indented = |step: &Step| "  ".repeat(step.level) + &step.name;
         let widths = self.steps.iter().map(|step| indented(step).len());
         let width = widths.max().unwrap_or(0);
-        for step in &self.steps {
-            let words = step.words().map(|word| format!("  {word}"));
-            writeln!(f, "{:width$}{}", indented(step), words.collect::<String>())?;
+        let are_beside = |one: &Step, next: &Step| {
+            [one, next]
+                .iter()
+                .all(|step| step.outcome == Outcome::Missed)
+                && one.level == next.level
+        };
+        for steps in self.steps.chunk_by(are_beside) {
+            if steps.len() > LISTED {
+                let indent = "  ".repeat(steps[0].level);
+                let count = steps.len();
+                writeln!(f, "{indent}{count} objects  {}", Outcome::Missed)?;
+                continue;
+            }
+            for step in steps {
+                let words = step.words().map(|word| format!("  {word}"));
+                writeln!(f, "{:width$}{}", indented(step), words.collect::<String>())?;
+            }
         }
         let sections: BTreeSet<_> = self.steps.iter().map(|step| step.section).collect();
         let sections: Vec<_> = sections.into_iter().collect();
@@ -112,6 +129,29 @@ impl fmt::Display for PixelTrace {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn many_objects_beside_a_ray_are_counted_and_few_are_listed() {
+        let step = |name: String, outcome| Step {
+            outcome,
+            ..Step::new(StepKind::Test, name, "")
+        };
+        let beside = |count| (0..count).map(|i| step(format!("ball {i}"), Outcome::Missed));
+        let mut trace = PixelTrace {
+            pixel: [0, 0],
+            color: Color::BLACK,
+            steps: beside(20).collect(),
+        };
+        trace.steps.push(step("wall".to_owned(), Outcome::Hit));
+        trace.steps.extend(beside(9990));
+        let text = trace.to_string();
+        let lines: Vec<_> = text.lines().collect();
+        assert_eq!(lines[0], "ball 0   beside the ray");
+        assert_eq!(
+            lines[20..22],
+            ["wall     hit", "9990 objects  beside the ray"]
+        );
+    }
 
     #[test]
     fn json_has_all_digits_and_text_has_four() {

@@ -1,6 +1,7 @@
 //! `Format`: how a stage reads scene files.
 
 use std::cell::{Cell, RefCell};
+use std::fs;
 use std::path::Path;
 
 use common::{Error, Sampling, Scene, Settings, Size, file, text};
@@ -47,7 +48,12 @@ impl Format {
         let text = text::from_file(bytes).map_err(cannot_open)?;
         let (files, triangles) = (RefCell::new(vec![path.to_owned()]), Cell::new(0));
         let folder = path.parent().unwrap_or(path);
+        // Of a scene file that is reached by a link, the meshes may lie beside the file itself.
+        let target = fs::canonicalize(path).unwrap_or_default();
         let mesh = |name: &str| {
+            let is_beside_target =
+                |target: &&Path| !folder.join(name).exists() && target.join(name).exists();
+            let folder = target.parent().filter(is_beside_target).unwrap_or(folder);
             let bytes = file::read(folder, name.as_ref(), MOST_BYTES[1]);
             files.borrow_mut().push(folder.join(name));
             let mesh = Mesh::read(&bytes?)?;

@@ -48,7 +48,10 @@ impl Shapes {
         let mut objects = Vec::new();
         for item in &file.shapes {
             let Some(parts) = first.keep(reader.parts(item)) else {
-                first.keep(surface(item));
+                // Whether it lacks a surface could only be said of its parts.
+                if has_surface(item) {
+                    first.keep(surface(item));
+                }
                 continue;
             };
             let some_have_one = parts.iter().any(|part| part.surface.is_some());
@@ -79,6 +82,10 @@ impl Shapes {
     }
 }
 
+fn has_surface(item: &Item) -> bool {
+    item.find("color").or(item.find("material")).is_some()
+}
+
 impl<'f> Reader<'f> {
     /// The geometries of a table, each with its surface if that is inside of the table.
     fn parts(&mut self, item: &'f Item) -> Result<Vec<Part<'f>>, Error> {
@@ -102,9 +109,8 @@ impl<'f> Reader<'f> {
         if is_group || has_steps {
             parts = self.grouped(item, parts)?;
         }
-        let has_surface = item.find("color").or(item.find("material")).is_some();
         for part in &mut parts {
-            part.surface = part.surface.or(has_surface.then_some(item));
+            part.surface = part.surface.or(has_surface(item).then_some(item));
         }
         Ok(parts)
     }
@@ -130,11 +136,10 @@ impl<'f> Reader<'f> {
             if item.steps().next().is_some() {
                 parts = self.grouped(item, parts)?;
             }
-            let has_surface = item.find("color").or(item.find("material")).is_some();
             let mut shared = Vec::new();
             for run in runs(parts) {
                 let shapes = Shared::new(run.geometries, self.shapes);
-                let surface = run.surface.or(has_surface.then_some(item));
+                let surface = run.surface.or(has_surface(item).then_some(item));
                 shared.push((shapes, surface, run.scale));
             }
             self.known[definition] = Some(shared);
