@@ -117,6 +117,7 @@ fn obey(
         Event::Key(Key::E) => explain(at, screen, gallery),
         Event::Key(Key::R) => gallery.reset(),
         Event::Key(Key::C) => gallery.print_camera(),
+        Event::Key(Key::F) => gallery.render_fast(),
         Event::Key(Key::H) => screen.lists_keys = !screen.lists_keys,
         Event::Move => gallery.point(),
         Event::Key(_) => {}

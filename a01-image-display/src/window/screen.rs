@@ -23,7 +23,7 @@ const LINE: i32 = 22;
 const LINES: usize = 3;
 
 /// All keys, and what they do.
-const KEYS: [(&str, &str); 11] = [
+const KEYS: [(&str, &str); 12] = [
     ("S", "save the picture"),
     ("O", "open a picture, in stage 1"),
     ("left, right", "another scene"),
@@ -32,6 +32,7 @@ const KEYS: [(&str, &str); 11] = [
     ("right drag", "rotate the camera"),
     ("R", "camera back"),
     ("C", "print the camera in the terminal"),
+    ("F", "render by the fast renderer"),
     ("H", "this list"),
     ("Esc", "close"),
     ("menu", "the same, on any keyboard"),
@@ -207,12 +208,11 @@ impl Screen {
         if gallery.opens_pictures() {
             entries.push(("O", "open", Key::O));
         }
-        entries.extend([
-            ("R", "back", Key::R),
-            ("C", "camera", Key::C),
-            ("H", "keys", Key::H),
-            ("Esc", "close", Key::Escape),
-        ]);
+        entries.extend([("R", "back", Key::R), ("C", "camera", Key::C)]);
+        if gallery.could_be_fast() {
+            entries.push(("F", "fast", Key::F));
+        }
+        entries.extend([("H", "keys", Key::H), ("Esc", "close", Key::Escape)]);
         self.menu.clear();
         let mut x = 10 * dot;
         for (name, text, key) in entries {

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use common::{Color, Error, Image, Progress, Sampling, Scene, Settings, Size, Transfer};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget};
 
-use crate::terminal_progress::set_fraction;
+use crate::terminal_progress::{is_worth_a_hint, set_fraction};
 
 /// The packed 0xRRGGBB pixels of a picture while it is rendered; black where nothing is known.
 ///
@@ -132,6 +132,12 @@ impl LivePicture {
             return format!("{elapsed} elapsed");
         }
         format!("{elapsed} elapsed, {to_go} to go")
+    }
+
+    /// Whether the rendering takes so long that a faster renderer is worth a remark.
+    #[must_use]
+    pub fn is_slow(&self) -> bool {
+        is_worth_a_hint(self.bar.elapsed(), self.bar.eta())
     }
 
     /// Ends the rendering after the rows that are being painted.

@@ -155,6 +155,11 @@ impl Options {
         })
     }
 
+    /// Changes to the fast renderer.
+    pub const fn render_fast(&mut self) {
+        (self.fast, self.no_omit) = (true, false);
+    }
+
     /// The flags that were given although they do not change the picture of a scene
     /// that uses these settings.
     pub fn unused(&self, uses: UsedSettings, settings: &Settings) -> Vec<&'static str> {

@@ -16,7 +16,7 @@ use crate::terminal_progress::TerminalProgress;
 use crate::watch::{NOT_WATCHED, PERIOD};
 use crate::work;
 
-/// After this time a picture takes long, so that a faster renderer is worth a remark.
+/// A picture that takes longer than this time is worth a remark on a faster renderer.
 pub const SLOW: Duration = Duration::from_secs(4);
 
 /// Writes the pictures of these scenes, and prints the path and the time of each; before, if it is

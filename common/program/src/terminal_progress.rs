@@ -42,7 +42,6 @@ impl TerminalProgress {
         let elapsed = self.bar.elapsed();
         let to_go = self.bar.eta();
         if let Some(hint) = self.hint
-            && !self.bar.is_hidden()
             && is_worth_a_hint(elapsed, to_go)
             && !self.has_hinted.swap(true, Ordering::Relaxed)
         {
@@ -56,9 +55,10 @@ impl TerminalProgress {
     }
 }
 
-/// Whether a picture has taken long, and will take as long again.
-fn is_worth_a_hint(elapsed: Duration, to_go: Duration) -> bool {
-    elapsed > SLOW && to_go > SLOW
+/// Whether a picture that is rendered for this time, and takes this time yet, is worth a remark on a faster
+/// renderer. Before, the time to go is a guess.
+pub fn is_worth_a_hint(elapsed: Duration, to_go: Duration) -> bool {
+    elapsed > Duration::from_secs(1) && to_go > SLOW
 }
 
 /// A bar on stderr that moves only when it is set, so that no other thread runs
@@ -114,7 +114,7 @@ mod tests {
     fn a_hint_comes_only_while_there_is_time_to_gain() {
         let seconds = Duration::from_secs;
         assert!(!is_worth_a_hint(seconds(1), seconds(60)));
-        assert!(is_worth_a_hint(seconds(5), seconds(60)));
+        assert!(is_worth_a_hint(seconds(2), seconds(60)));
         assert!(!is_worth_a_hint(seconds(60), seconds(1)));
     }
 

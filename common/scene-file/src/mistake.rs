@@ -67,7 +67,7 @@ fn hint(message: &str, line: &str) -> Option<&'static str> {
         Some("a comment begins with #, and nothing else stands behind a value")
     } else if value.starts_with(|first: char| first.is_ascii_digit() || ".+-(".contains(first)) {
         Some("a number is such as 0.8, without a unit and not computed, a list such as [0, 3, 9]")
-    } else if value.starts_with(char::is_alphabetic) {
+    } else if value.starts_with(char::is_alphabetic) && !message.contains("quoted") {
         Some(
             "a number is such as 0.8, not computed, a list such as [0, 3, 9], and a text stands in \
              quotation marks, such as \"red\"",

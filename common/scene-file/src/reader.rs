@@ -191,7 +191,7 @@ impl Reader<'_> {
                 );
                 Err(error(value, text))
             }
-            DeValue::Table(_) => {
+            DeValue::Table(_) if self.text[value.span().start..].starts_with('{') => {
                 let name = key.name;
                 let text = format!(
                     "{name} may stand there several times, so its tables are a list: {name} = [{{ ... }}]"

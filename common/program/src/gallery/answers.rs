@@ -50,6 +50,9 @@ impl Gallery<'_> {
         if !self.message.is_empty() {
             lines.push(self.message.clone());
         }
+        if self.is_rendering() && self.picture.is_slow() && self.could_be_fast() {
+            lines.push("F: the fast renderer draws the same picture sooner".to_owned());
+        }
         let Some(scene) = self.scene() else {
             return lines;
         };

@@ -67,7 +67,7 @@ impl Reader<'_> {
             }
         }
         if ["group", "repeat"].contains(&name) && names.contains(&"color") {
-            return format!("; it stands in front: [[{name}.{}]]", item.kind.name);
+            return format!("; write [[{name}.{}]]", item.kind.name);
         }
         // A key of the camera at the top of the file, or one of a shape below a material.
         for owner in &KINDS[1..] {
