@@ -151,9 +151,6 @@ fn read_gaze(item: &Item, e: Point3) -> Result<Vector3, Error> {
     let Some(point) = item.find_vector("look_at", Point3::new) else {
         return item.vector("gaze", Vector3::new);
     };
-    if item.find("gaze").is_some() {
-        return Err(item.error("look_at", "a camera has a gaze or a look_at, not both"));
-    }
     if point == e {
         let text = "camera: look_at is the eye itself, but must be another point";
         return Err(item.error("look_at", text));

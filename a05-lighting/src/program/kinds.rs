@@ -193,13 +193,10 @@ pub fn read_world<S, L>(
 
 /// The colour of a shape, if it has one instead of a material.
 pub fn read_single_color(item: &Item) -> Result<Option<SingleColor>, Error> {
-    match item.find_vector("color", Color::new) {
-        Some(_) if item.find("material").is_some() => {
-            Err(item.error("color", "a shape has a color or a material, not both"))
-        }
-        Some(color) => item.check(SingleColor::new(color)).map(Some),
-        None => Ok(None),
-    }
+    let color = item.find_vector("color", Color::new);
+    color
+        .map(|color| item.check(SingleColor::new(color)))
+        .transpose()
 }
 
 /// The diffuse and specular reflectance and the exponent of a material.

@@ -109,6 +109,10 @@ impl Reader<'_> {
                 Err(error) => self.keep(error),
             }
         }
+        // A value that is wrong is no value.
+        if self.mistakes == mistakes_before {
+            self.check_keys_together(&item);
+        }
         item.tables.sort_by_key(|table| table.at);
         // A file may have many thousands of tables.
         item.tables.shrink_to_fit();
@@ -126,6 +130,21 @@ impl Reader<'_> {
             self.repeat(&mut item);
         }
         item
+    }
+
+    /// Keeps the mistakes of keys of which one stands instead of another, or is needed with it.
+    fn check_keys_together(&mut self, item: &Item) {
+        for key in &item.kind.keys {
+            let is_there = item.find(key.name).is_some();
+            let has = |other: &&str| item.find(other).is_some();
+            if is_there && let Some(other) = key.other_key("instead of ").filter(has) {
+                let (kind, key) = (item.kind.name, key.name);
+                self.keep(item.error(key, format!("{kind} takes {other} or {key}, not both")));
+            }
+            if !is_there && key.other_key("needed with ").filter(has).is_some() {
+                self.keep(item.lacks(key.name));
+            }
+        }
     }
 
     /// Replaces the shapes of a repeat by uses of a definition of them.

@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use common::text::name;
+use common::text::{is_unseen, name};
 
 use super::NONE;
 use super::polygons::Polygons;
@@ -19,6 +19,13 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
             continue;
         }
         words = without_comment(words);
+        let unseen = |letter: &char| is_unseen(*letter) && !letter.is_ascii_whitespace();
+        if let Some(letter) = words.chars().find(unseen) {
+            let letter = letter.escape_unicode();
+            return Err(format!(
+                "line {place} has the character {letter}, which nobody sees"
+            ));
+        }
         let keyword = words.split_ascii_whitespace().next().unwrap_or_default();
         // A name of a material or of a group may end in a backslash, too, so that only lines that
         // are read go on in the next one.
