@@ -14,13 +14,11 @@ use crate::exercise::Exercise;
 pub fn workspace() -> PathBuf {
     static WORKSPACE: LazyLock<PathBuf> = LazyLock::new(|| {
         let above = |package: &Path| package.ancestors().nth(2).unwrap_or(package).to_owned();
-        match env::var_os("CARGO_MANIFEST_DIR") {
-            Some(package) => above(package.as_ref()),
-            None => {
-                let built = above(env!("CARGO_MANIFEST_DIR").as_ref());
-                workbook::with_file("common/learn/Cargo.toml", &built)
-            }
+        if let Some(package) = env::var_os("CARGO_MANIFEST_DIR") {
+            return above(package.as_ref());
         }
+        let built = above(env!("CARGO_MANIFEST_DIR").as_ref());
+        workbook::with_file("common/learn/Cargo.toml", &built)
     });
     WORKSPACE.clone()
 }

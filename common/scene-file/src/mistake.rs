@@ -35,16 +35,12 @@ pub fn mistake(text: &str, error: &ParserError) -> Error {
             );
         }
     }
-    let mut message = error.message().replace('\n', ", ");
-    if ["expected `nan`", "expected `inf`"]
-        .iter()
-        .any(|end| message.ends_with(end))
-    {
-        // The parser guesses; a scene file takes neither.
-        message = "invalid value".to_owned();
-    }
-    let hint = hint(&message, line).map_or(String::new(), |hint| format!(" ({hint})"));
-    let (message, line) = (text::visible(&message), text::name(line.trim()));
+    let said = error.message().replace('\n', ", ");
+    // The parser guesses these words, of which a scene file takes none.
+    let is_guess = said.ends_with("expected `nan`") || said.ends_with("expected `inf`");
+    let message = if is_guess { "invalid value" } else { &said };
+    let hint = hint(message, line).map_or(String::new(), |hint| format!(" ({hint})"));
+    let (message, line) = (text::visible(message), text::name(line.trim()));
     Error::new(at, format!("{message}{hint}: {line}"))
 }
 

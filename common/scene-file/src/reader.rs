@@ -141,7 +141,7 @@ impl Reader<'_> {
                 let (kind, key) = (item.kind.name, key.name);
                 self.keep(item.error(key, format!("{kind} takes {other} or {key}, not both")));
             }
-            if !is_there && key.other_key("needed with ").filter(has).is_some() {
+            if !is_there && key.other_key("needed with ").as_ref().is_some_and(has) {
                 self.keep(item.lacks(key.name));
             }
         }
