@@ -1,8 +1,9 @@
 //! The program of the book, page by page.
 
+use std::env;
 use std::process::Command;
 
-use common::{Color, picture_file};
+use common::{Color, Image, picture_file};
 
 use super::manifest::DEPENDENCIES;
 use super::*;
@@ -57,8 +58,13 @@ fn parts(page: &str) -> BTreeMap<String, String> {
     parts
 }
 
+/// The book's picture of a page, from the first with light of its own on: `INSTA_UPDATE=always` draws it, in a minute.
+fn shown(page: &str) -> PathBuf {
+    files::workspace().join(format!("book/src/pictures/tonight-{page}.png"))
+}
+
 /// The picture of each page, by the program as it is there: modules of one program, which is
-/// built once.
+/// built once. They are a tenth as wide and high as those of the book.
 #[test]
 fn the_program_of_the_book_draws_a_picture_on_each_page() {
     let course = read_all().unwrap();
@@ -90,6 +96,7 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
     let (quick, _) = manifest.split_once("\n[profile.dev.package.a02").unwrap();
     write(&folder.join(MANIFEST), quick).unwrap();
 
+    let updates = env::var_os("INSTA_UPDATE").is_some();
     let mut program = BTreeMap::new();
     let mut main = "#![allow(dead_code)]\nmod functions;\n".to_owned();
     let mut calls = String::new();
@@ -106,9 +113,12 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
         let texts: Vec<_> = program.values().map(String::as_str).collect();
         let text = texts.join("\n\n").replace("fn main()", "pub fn main()");
         let text = text.replace("let index = 0;", "let index = y * width + x;");
-        let text = text
-            .replace("480, 320", "48, 32")
-            .replace("samples: 16", "samples: 1");
+        let text = if updates {
+            text
+        } else {
+            text.replace("480, 320", "48, 32")
+                .replace("samples: 16", "samples: 1")
+        };
         let module = page.replace('-', "_");
         write(&folder.join(format!("src/{module}.rs")), &text).unwrap();
         let call = format!(
@@ -127,6 +137,15 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
     assert!(output.status.success(), "{errors}");
     assert!(!errors.contains("warning"), "{errors}");
 
+    for page in &PAGES[2..] {
+        let drawn = folder.join(page);
+        if updates {
+            fs::copy(&drawn, shown(page)).unwrap();
+        }
+        let [drawn, shown] = [drawn, shown(page)].map(|path| picture_file::open(&path).unwrap());
+        let difference = difference(&drawn, &shown);
+        assert!(difference < 0.03, "{page}: {difference}");
+    }
     let pictures = PAGES.map(|page| picture_file::open(&folder.join(page)).unwrap());
     for two in pictures.windows(2) {
         assert_ne!(two[0], two[1]);
@@ -143,6 +162,22 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
     write(&sphere, "pub struct Sphere;\n").unwrap();
     assert_eq!(bring(folder, course, &done).unwrap().edited, ["sphere"]);
     assert_eq!(fs::read_to_string(&sphere).unwrap(), "pub struct Sphere;\n");
+}
+
+/// The mean difference of a picture's channels from the pixel of a larger one at the same place.
+fn difference(small: &Image, large: &Image) -> f64 {
+    let factor = large.size().width() / small.size().width();
+    let mut sum = 0.0;
+    for (y, row) in (0..).zip(small.rows()) {
+        for (x, color) in (0..).zip(row) {
+            let other = large
+                .get(x * factor + factor / 2, y * factor + factor / 2)
+                .unwrap();
+            let channels = color.channels().into_iter().zip(other.channels());
+            sum += channels.map(|(a, b)| (a - b).abs()).sum::<f64>();
+        }
+    }
+    sum / (3 * small.size().pixels()) as f64
 }
 
 #[test]
