@@ -4,7 +4,7 @@ use a03_rays_cameras::instruments::recorded::push_stripe;
 
 use crate::prelude::*;
 
-yours! { Sky => |camera, size, stripes, ray| Ok(Sky::new(camera, size, stripes)?.stripe(ray)) }
+yours! { Sky => |camera: &PinholeCamera, size, stripes, ray: &Ray| Ok(Sky::new(camera, size, stripes)?.stripe(ray)) }
 
 /// The number of the stripe along a ray in the sky of a camera, the size of its picture, and a number of
 /// stripes.

@@ -147,9 +147,10 @@ macro_rules! exercises {
             let exit = $crate::exercises::prove(&folder, vec![$(
                 $crate::exercises::Entry::new(stringify!($name), $crate::exercises::Codes {
                     exercise: $name::exercise,
-                    solution: || $name::code!(crate::solutions::$name),
+                    // Bound first, as in a student's program: the code alone says its type.
+                    solution: || { let yours = $name::code!(crate::solutions::$name); yours },
                     examples: solutions::$name::examples,
-                    starter: || $name::code!(crate::starters::$name),
+                    starter: || { let yours = $name::code!(crate::starters::$name); yours },
                 }),
             )+]);
             exit
