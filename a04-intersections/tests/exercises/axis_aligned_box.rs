@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-yours! { AxisAlignedBox => new_shape(|(lbf, run)| AxisAlignedBox::new(point(lbf), point(run))) }
+yours! { AxisAlignedBox => new_box(AxisAlignedBox::new) }
 
 type Code = NewShape<Corners>;
 type Other = Variant<Code>;
@@ -78,14 +78,15 @@ fn entry_and_exit(a: f64, b: f64, direction: f64) -> [f64; 2] {
 
 /// The slabs of all axes: a ray is in the box from the last entry to the first exit.
 fn slabs(style: Style) -> Code {
-    new_shape(move |(lbf, run): Corners| {
+    new_box(move |lbf, run| {
+        let corners = [lbf, run].map(array);
         Ok(own(move |ray: &Ray, within| {
             let o = array(ray.origin());
             let d = array(ray.direction());
             let mut entry = (f64::NEG_INFINITY, 0);
             let mut exit = (f64::INFINITY, 0);
             for axis in 0..3 {
-                let [a, b] = [lbf, run].map(|corner| (corner[axis] - o[axis]) / d[axis]);
+                let [a, b] = corners.map(|corner| (corner[axis] - o[axis]) / d[axis]);
                 let [near, far] = (style.entry_and_exit)(a, b, d[axis]);
                 if near > entry.0 {
                     entry = (near, axis);

@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-yours! { SixPlanes => new_shape(|(lbf, run)| SixPlanes::new(point(lbf), point(run))) }
+yours! { SixPlanes => new_box(SixPlanes::new) }
 
 type Code = NewShape<Corners>;
 

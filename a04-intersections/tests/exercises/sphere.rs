@@ -7,6 +7,9 @@ yours! { Sphere => new_shape(|(c, r)| Sphere::new(point(c), r)) }
 type Code = NewShape<([f64; 3], f64)>;
 type Other = Variant<Code>;
 
+/// The radius of a sphere that an epsilon would swallow.
+const TINY: f64 = 1.0 / 1_073_741_824.0;
+
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-2", scene_2, ([0.0, 0.0, -3.0], 0.5)),
@@ -35,9 +38,12 @@ pub fn exercise() -> Exercise<Code> {
         ..shapes(Shapes {
             words: "sphere around {} of radius {}",
             first: ([0.0, 0.0, 0.0], 1.0),
-            further: vec![([1.0, 0.0, 0.5], 2.0), ([0.0; 3], 1.0 / 1_073_741_824.0)],
+            further: vec![([1.0, 0.0, 0.5], 2.0)],
             on_surface: vec![[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]],
-            own_rays: vec![],
+            own_rays: scaled(TINY)
+                .into_iter()
+                .map(|ray| (([0.0; 3], TINY), ray))
+                .collect(),
             middle: |(c, _)| *c,
             any: |r| (r.triple(5.0), r.between(0.2, 4.0)),
         })

@@ -70,7 +70,9 @@ impl Departure {
         let slope = direction.dot(hit.geometric_normal);
         // Inwards, a ray meets the far side of a sphere, but not this one.
         let again = shape.hit(&left, Interval::before(0.1 * slope.abs() * self.size));
-        let words = if step.dot(hit.geometric_normal) * slope <= 0.0 {
+        let words = if step.magnitude() == 0.0 {
+            "a ray that begins at the hit: it is not moved"
+        } else if step.dot(hit.geometric_normal) * slope <= 0.0 {
             "a ray from the wrong side of the surface"
         } else if step.magnitude() > 1e-9 * Numbers::of(&ray, &hit).sum() {
             "a ray that begins far away"
@@ -91,6 +93,8 @@ pub struct Numbers {
     pub point: f64,
     /// The parameter of the ray.
     pub t: f64,
+    /// The scale of the shape.
+    pub scale: f64,
 }
 
 impl Numbers {
@@ -100,11 +104,12 @@ impl Numbers {
             origin: ray.origin().largest_coordinate(),
             point: ray.at(hit.t).largest_coordinate(),
             t: hit.t,
+            scale: hit.scale,
         }
     }
 
     /// Their sum.
     pub fn sum(&self) -> f64 {
-        self.origin + self.point + self.t
+        self.origin + self.point + self.t + self.scale
     }
 }

@@ -46,6 +46,16 @@ pub fn simple() -> Vec<RayWithin> {
     rays
 }
 
+/// The simple rays to a shape of another size, from as many sizes away.
+#[must_use]
+pub fn scaled(size: f64) -> Vec<RayWithin> {
+    let mut rays = simple();
+    for (origin, ..) in &mut rays {
+        *origin = origin.map(|x| x * size);
+    }
+    rays
+}
+
 /// Rays along each axis, to both sides, from points.
 #[must_use]
 pub fn from_points(points: &[[f64; 3]]) -> Vec<RayWithin> {

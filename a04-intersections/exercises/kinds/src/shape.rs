@@ -119,8 +119,8 @@ pub struct Shapes<P> {
     /// Points exactly on the first shape. Of a shape whose hits are found by steps, none: there
     /// rounding decides whether a ray from its surface hits it.
     pub on_surface: Vec<[f64; 3]>,
-    /// Rays of round numbers to the first shape, beside those to all shapes.
-    pub own_rays: Vec<RayWithin>,
+    /// Shapes and rays to them of round numbers, beside those to all shapes.
+    pub own_rays: Vec<(P, RayWithin)>,
     /// A point near which a shape of these parameters is.
     pub middle: fn(&P) -> [f64; 3],
     /// Random parameters.
@@ -144,7 +144,7 @@ pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<N
 }
 
 impl<P: Input + 'static> Shapes<P> {
-    /// Simple rays: to the first shape, from its surface, and to the further shapes.
+    /// Simple rays: to the first shape, the shape's own, from its surface, and to the further shapes.
     fn simple(&self) -> Vec<(P, RayWithin)> {
         let mut simple = Vec::new();
         let mut add = |shape: &P, rays: &[RayWithin]| {
@@ -153,7 +153,9 @@ impl<P: Input + 'static> Shapes<P> {
             }
         };
         add(&self.first, &rays::simple());
-        add(&self.first, &self.own_rays);
+        for (shape, ray) in &self.own_rays {
+            add(shape, &[*ray]);
+        }
         add(&self.first, &rays::from_points(&self.on_surface));
         for shape in &self.further {
             add(shape, &rays::simple());
