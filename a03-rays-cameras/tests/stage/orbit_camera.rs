@@ -30,6 +30,24 @@ fn a_camera_turns_around_the_centre() {
     }
 }
 
+/// One that looks straight down still does when it is moved nearer, and is rotated up as any other.
+#[test]
+fn a_gaze_that_is_vertical_stays_vertical() {
+    let gaze = |pitch| {
+        let (e, g) = (Point3::new(0.0, 4.0, 0.0), Vector3::new(0.0, -1.0, 0.0));
+        let up = Vector3::new(0.0, 0.0, -1.0);
+        let camera = PerspectiveCamera::new(e, g, up, FRAC_PI_4).unwrap();
+        let (yaw, zoom) = (0.0, 0.9);
+        let (size, orbit) = (Size::new(3, 3).unwrap(), Orbit { yaw, pitch, zoom });
+        let camera = OrbitCamera::new(Box::new(camera), size, Point3::ORIGIN, orbit).simplified();
+        camera.ray_for(size, 1.0, 1.0).direction()
+    };
+    for pitch in [0.0, -0.5] {
+        assert_eq!(gaze(pitch), Vector3::new(0.0, -1.0, 0.0), "{pitch}");
+    }
+    assert!((gaze(0.5).y() + libm::cos(0.5)).abs() < 1e-15);
+}
+
 /// It has the same rays, up to rounding.
 #[test]
 fn a_rotated_camera_of_a_known_type_is_one_of_this_type() {

@@ -9,7 +9,8 @@ use crate::{Basis, Camera, Ray, View};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
-/// The steepest gaze, as an angle from the horizontal: a little less than π / 2.
+/// The steepest gaze to which a person rotates a camera, as an angle from the horizontal: a little less than
+/// π / 2.
 const STEEPEST: f64 = 1.5;
 
 /// How far a reader has rotated a camera around a point.
@@ -42,12 +43,13 @@ pub struct OrbitCamera {
 }
 
 impl OrbitCamera {
-    /// Rotates a camera whose gaze is not vertical.
+    /// Rotates a camera. One whose gaze is steeper than a person can rotate it stays where it is.
     pub fn new(camera: Box<dyn Camera>, size: Size, centre: Point3, orbit: Orbit) -> Self {
         let [x, y] = [size.width(), size.height()].map(|side| f64::from(side - 1) / 2.0);
         let gaze = camera.ray_for(size, x, y).direction();
         let elevation = libm::asin(gaze.y().clamp(-1.0, 1.0));
-        let pitch = (elevation + orbit.pitch).clamp(-STEEPEST, STEEPEST) - elevation;
+        let steepest = STEEPEST.max(elevation.abs());
+        let pitch = (elevation + orbit.pitch).clamp(-steepest, steepest) - elevation;
         let right = gaze.cross(UP).normalized();
         let right = right.unwrap_or(Vector3::new(1.0, 0.0, 0.0));
         let axis = |v| rotated(rotated(v, right, pitch), UP, orbit.yaw);
