@@ -173,15 +173,22 @@ fn in_program(text: &str) -> String {
     text.replace("use crate::prelude::*;", "use super::*;")
 }
 
+/// The words between `pub` and the name of an item.
+const BEFORE_NAME: [&str; 10] = [
+    "async", "const", "enum", "fn", "mut", "static", "struct", "trait", "type", "unsafe",
+];
+
 /// The lines of `functions.rs` for a file: its public names replace those of the workbook.
 fn module(name: &str, text: &str) -> String {
     let mut names = Vec::new();
     for line in text.lines() {
-        let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
-        if words.next() == Some("pub")
-            && matches!(words.next(), Some("fn" | "struct" | "enum" | "const"))
+        let item = line.strip_prefix("pub ").unwrap_or_default();
+        let mut words = item.split(|c: char| !c.is_alphanumeric() && c != '_');
+        if words
+            .next()
+            .is_some_and(|first| BEFORE_NAME.contains(&first))
         {
-            names.extend(words.next());
+            names.extend(words.find(|word| !BEFORE_NAME.contains(word)));
         }
     }
     format!("\nmod {name};\npub use {name}::{{{}}};\n", names.join(", "))

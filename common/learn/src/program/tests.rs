@@ -200,3 +200,11 @@ fn examples_are_left_out() {
     assert_eq!(in_program(text), "use super::*;\n\n\nfn g() {\n}\n");
     assert_eq!(in_program("use a;\ntesting::examples! {}"), "use a;\n");
 }
+
+#[test]
+fn public_names_are_found_behind_all_words() {
+    let text = "pub const fn dot() {}\npub const LIMIT: f64 = 1.0;\npub unsafe fn raw() {}\n\
+        pub trait Shade {}\npub use std::fmt;\nfn own() {}\n    pub fn method() {}\n";
+    let lines = "\nmod a;\npub use a::{dot, LIMIT, raw, Shade};\n";
+    assert_eq!(module("a", text), lines);
+}
