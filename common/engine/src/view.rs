@@ -10,7 +10,7 @@ use rayon::slice::ParallelSliceMut;
 
 use crate::adaptive::{LightAt, Radiance};
 use crate::lanes::Simd;
-use crate::lanes::level::{HAS_ONE, Level};
+use crate::lanes::level::Level;
 use crate::sampler::image_position;
 use crate::trace::{BATCH, Batch, Tracer};
 use crate::{Camera, Sampler};
@@ -99,7 +99,9 @@ impl Radiance for View<'_, '_> {
     fn tracer(&self) -> LightAt<'_> {
         // `dispatch!` would compile four levels for x86-64.
         #[cfg(target_arch = "x86_64")]
-        if !HAS_ONE && let Some(avx2) = self.level.as_avx2() {
+        if !crate::lanes::level::HAS_ONE
+            && let Some(avx2) = self.level.as_avx2()
+        {
             return self.tracer_with(avx2);
         }
         #[cfg(target_arch = "x86_64")]
