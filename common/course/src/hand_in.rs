@@ -59,6 +59,7 @@ pub fn files_in(
     let mut search = Search {
         is_wanted,
         files: Vec::new(),
+        most_files: MOST_FILES,
         bytes_left: MOST_OF_ALL,
     };
     if place.is_dir() {
@@ -86,6 +87,7 @@ pub fn is_zip(name: &str) -> bool {
 struct Search<'a> {
     is_wanted: &'a dyn Fn(&str) -> bool,
     files: Vec<HandedFile>,
+    most_files: usize,
     /// How many bytes of zip files within zip files may still be read.
     bytes_left: u64,
 }
@@ -104,6 +106,9 @@ impl Search<'_> {
             }
         };
         for entry in entries.flatten() {
+            if self.is_full(path) {
+                return;
+            }
             let name = entry.file_name().to_string_lossy().into_owned();
             if is_added(&name) {
                 continue;
@@ -138,9 +143,7 @@ impl Search<'_> {
         };
         self.found([path, &[String::new()]].concat(), Content::NotWanted);
         for index in 0..archive.len() {
-            if self.files.len() > MOST_FILES {
-                let why = format!("it has more than {MOST_FILES} files");
-                self.found(path.to_vec(), problem(why));
+            if self.is_full(path) {
                 return;
             }
             // Its name can be read also where its content cannot.
@@ -179,6 +182,16 @@ impl Search<'_> {
                 Err(error) => self.found(inner, problem(in_words(&error))),
             }
         }
+    }
+
+    /// Whether there are more files than may be: then this folder or zip file is a problem.
+    fn is_full(&mut self, path: &[String]) -> bool {
+        let is_full = self.files.len() > self.most_files;
+        if is_full {
+            let why = format!("with it there are more than {} files", self.most_files);
+            self.found(path.to_vec(), problem(why));
+        }
+        is_full
     }
 
     /// The files in a zip file within another one, which is read as a whole.
@@ -242,5 +255,30 @@ fn in_words(error: &ZipError) -> String {
             "it is compressed in a way that is not supported; use the usual one".to_owned()
         }
         _ => "it is damaged".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_with_too_many_files_is_not_walked_to_its_end() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["a", "b", "c", "d", "e", "f"] {
+            fs::write(folder.path().join(name), "").unwrap();
+        }
+        let mut search = Search {
+            is_wanted: &|_| false,
+            files: Vec::new(),
+            most_files: 3,
+            bytes_left: 0,
+        };
+        search.folder(folder.path(), &["Ada".to_owned()]);
+        let last = search.files.pop().unwrap();
+        assert_eq!(last.path, ["Ada"]);
+        let why = "with it there are more than 3 files";
+        assert_eq!(last.content, Content::Problem(why.to_owned()));
+        assert_eq!(search.files.len(), 4, "the folder and three files");
     }
 }
