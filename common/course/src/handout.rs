@@ -15,7 +15,7 @@ use crate::grading_folder::{Workbook, output_of};
 const README: &str = include_str!("../handout/README.md");
 
 /// The files and folders that are handed out.
-const PARTS: [&str; 12] = [
+const PARTS: [&str; 13] = [
     ".cargo",
     ".gitignore",
     "Cargo.lock",
@@ -29,6 +29,7 @@ const PARTS: [&str; 12] = [
     ":(exclude)common/course",
     ":(exclude)common/fuzz",
     ":(exclude)common/corpus/adapters",
+    ":(exclude)a0*/exercises/others/*",
 ];
 
 /// Writes a workbook for students
@@ -181,11 +182,10 @@ mod tests {
             let starter = files::starter(e).unwrap();
             assert_eq!(contents[&path], starter.into_bytes(), "{}", e.name);
         }
-        assert!(
-            contents
-                .keys()
-                .all(|path| !path.starts_with("common/course/"))
-        );
+        for path in contents.keys() {
+            assert!(!path.starts_with("common/course/"), "{path}");
+            assert!(!path.contains("/exercises/others/"), "{path}");
+        }
         let aliases = String::from_utf8_lossy(&contents[".cargo/config.toml"]);
         assert!(aliases.contains("--package learn"), "{aliases}");
         assert!(!aliases.contains("--package course"), "{aliases}");

@@ -8,12 +8,13 @@ use crate::file_name::{is_late, person, split_time, stem};
 use crate::hand_in::{Content, HandedFile};
 
 /// Folders of the workbook beside or around the students' files, whose files have the same names.
-const OF_WORKBOOK: [&str; 8] = [
+const OF_WORKBOOK: [&str; 9] = [
     "answers",
     "benches",
     "examples",
     "functions",
     "kinds",
+    "others",
     "solutions",
     "src",
     "tests",
