@@ -53,7 +53,12 @@ impl Grade {
         let submissions = submissions.map_err(|error| format!("a folder: {error}"))?;
         let folder = self.prepare(course)?;
         if self.paths.is_empty() {
-            return Ok("all is built".to_owned());
+            let faulty = folder.faulty();
+            return if faulty.is_empty() {
+                Ok("all is built".to_owned())
+            } else {
+                Err(format!("these do not build: {}", faulty.join(", ")))
+            };
         }
         let mut graded = Vec::new();
         let mut unclear = Vec::new();

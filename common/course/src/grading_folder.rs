@@ -3,6 +3,7 @@
 //!
 //! Gradings at the same time share it: each locks it while it judges a file.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io;
@@ -20,16 +21,20 @@ pub type Workbook = BTreeMap<String, Vec<u8>>;
 /// The folder of all gradings.
 pub struct GradingFolder {
     pub sandbox: Sandbox,
+    /// Why the starters of exercises do not build, by name: none of one that does. A fault of the workbook is
+    /// no fault of a student.
+    faults: RefCell<BTreeMap<&'static str, Option<String>>>,
 }
 
 impl GradingFolder {
     /// Writes what has changed of the workbook, and builds the stages of the exercises by the words
     /// by which students' files are built: so for each of them only the file itself is compiled
-    /// within the student's limit of time.
-    pub fn new(workbook: &Workbook, exercises: &[&Exercise]) -> Result<Self, String> {
+    /// within the student's limit of time. A stage that does not build is printed, and the others are graded.
+    pub fn new(workbook: &Workbook, exercises: &[&'static Exercise]) -> Result<Self, String> {
         let folder = files::workspace().join("target/grading");
         let folder = Self {
             sandbox: Sandbox { folder },
+            faults: RefCell::default(),
         };
         let root = folder.in_workbook("");
         for folder in [&root, &folder.sandbox.folder.join("target")] {
@@ -42,14 +47,31 @@ impl GradingFolder {
         cargo.args(["update", "--workspace", "--offline", "--quiet"]);
         output_of(cargo.current_dir(&root))?;
         for e in exercises.chunk_by(|a, b| a.stage == b.stage) {
-            let (first, starter) = (e[0], files::starter(e[0])?);
-            let built = folder.build(first, &starter, Limits::All)?;
-            if built.end != End::Success {
-                return Err(format!("{} does not build\n{}", first.stage, built.output));
+            if let Some(fault) = folder.fault(e[0])? {
+                eprintln!("{}: the starter of {} {fault}", e[0].stage, e[0].name);
             }
         }
         drop(lock);
         Ok(folder)
+    }
+
+    /// Why the starter of an exercise does not build, if it does not.
+    pub fn fault(&self, e: &'static Exercise) -> Result<Option<String>, String> {
+        if let Some(fault) = self.faults.borrow().get(e.name) {
+            return Ok(fault.clone());
+        }
+        let built = self.build(e, &files::starter(e)?, Limits::All)?;
+        let fault =
+            (built.end != End::Success).then(|| self.sandbox.words(&built, "does not compile"));
+        self.faults.borrow_mut().insert(e.name, fault.clone());
+        Ok(fault)
+    }
+
+    /// The exercises of which it is known that their starters do not build.
+    pub fn faulty(&self) -> Vec<&'static str> {
+        let faults = self.faults.borrow();
+        let faulty = faults.iter().filter(|(_, fault)| fault.is_some());
+        faulty.map(|(name, _)| *name).collect()
     }
 
     /// Waits until no other grading uses the folder. The lock ends with the file.

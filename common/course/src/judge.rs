@@ -13,7 +13,7 @@ use crate::refusal::refusal;
 use crate::sandbox::{End, Limits};
 
 /// Judges the text of a student's file. Faults of the grader end no grading: the file needs a look.
-pub fn judge(folder: &GradingFolder, e: &Exercise, text: &str) -> Outcome {
+pub fn judge(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Outcome {
     judged(folder, e, text).unwrap_or_else(|fault| {
         eprintln!("{}: the grader fails: {fault}", e.name);
         Outcome::without_answers(State::NeedsALook, "the grader could not judge it")
@@ -21,7 +21,7 @@ pub fn judge(folder: &GradingFolder, e: &Exercise, text: &str) -> Outcome {
 }
 
 /// The outcome, or a fault of the grader.
-fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, String> {
+fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Outcome, String> {
     let wrong = |message: &str| Outcome::without_answers(State::Wrong, message);
     if let Some(refused) = refusal(e, text) {
         return Ok(wrong(&refused));
@@ -44,6 +44,13 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
             return Ok(Outcome::without_answers(
                 State::NeedsALook,
                 "while it was compiled: the compiler was stopped",
+            ));
+        }
+        // Nor does a file, where the check is at fault.
+        _ if folder.fault(e)?.is_some() => {
+            return Ok(Outcome::without_answers(
+                State::NeedsALook,
+                "the workbook is at fault: the starter of this exercise does not compile",
             ));
         }
         _ => return Ok(wrong(&sandbox.words(&built, "does not compile"))),
