@@ -116,6 +116,58 @@ fn jpeg_of_every_order_and_sampling_shows_its_picture_and_is_refused_if_cut_off(
     assert_bytes(&turned, [24, 40], |x, y| color(y, 23 - x));
 }
 
+/// A file without the segments of a marker, and with others after its beginning.
+fn with_segments(file: &[u8], removed: u8, added: &[u8]) -> Vec<u8> {
+    let (mut bytes, mut rest) = ([&file[..2], added].concat(), &file[2..]);
+    while rest[1] != 0xDA {
+        let length = 2 + usize::from(u16::from_be_bytes([rest[2], rest[3]]));
+        let (segment, others) = rest.split_at(length);
+        if segment[1] != removed {
+            bytes.extend(segment);
+        }
+        rest = others;
+    }
+    bytes.extend(rest);
+    bytes
+}
+
+/// Components 1, 2 and 3 are red, green and blue if Adobe's marker says so, and nothing says JFIF. The file
+/// stores the luma and chroma of its gradient, by the formulas of JFIF.
+#[test]
+fn the_marker_of_adobe_says_what_the_components_are() {
+    let adobe = b"\xFF\xEE\0\x0EAdobe\0\x64\0\0\0\0\0";
+    let color = |x, y| [6 * x, 10 * y, 128];
+    let stored = |x, y| {
+        let [r, g, b] = color(x, y).map(f64::from);
+        [
+            0.299 * r + 0.587 * g + 0.114 * b,
+            128.0 - 0.168_736 * r - 0.331_264 * g + 0.5 * b,
+            128.0 + 0.5 * r - 0.418_688 * g - 0.081_312 * b,
+        ]
+        .map(|value| value.round() as u8)
+    };
+    let ycbcr = GRADIENTS[1];
+    let rgb = opened(&with_segments(ycbcr, 0xE0, adobe)).unwrap();
+    assert_bytes(&rgb, [40, 24], stored);
+    let jfif = opened(&with_segments(ycbcr, 0, adobe)).unwrap();
+    assert_bytes(&jfif, [40, 24], color);
+
+    // Adobe stores the light that inks leave, here all of that which is not black; others store the inks.
+    let inks = with_segments(include_bytes!("tests/cmyk.jpg"), 0xEE, &[]);
+    assert_bytes(&opened(&inks).unwrap(), [40, 24], |_, _| [0, 0, 0]);
+}
+
+/// A scan that lacks data is no whole picture. A progressive file that ends behind any scan is one.
+#[test]
+fn a_jpeg_that_is_cut_is_refused_also_with_the_marker_of_an_end() {
+    for whole in &GRADIENTS[1..] {
+        for end in 3..whole.len() - 2 {
+            let cut = [&whole[..end], &[0xFF, 0xD9]].concat();
+            assert!(opened(&cut).is_err(), "{end} of {}", whole.len());
+        }
+    }
+}
+
 #[test]
 fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
     let folder = tempfile::tempdir().unwrap();
