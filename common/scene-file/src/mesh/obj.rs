@@ -12,7 +12,9 @@ use super::polygons::Polygons;
 pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
     let text = String::from_utf8_lossy(bytes);
     let mut polygons = Polygons::default();
-    let mut lines = (1..).zip(text.lines());
+    // Old programs end lines with CR alone.
+    let line_end = if text.contains('\n') { '\n' } else { '\r' };
+    let mut lines = (1..).zip(text.split(line_end).map(str::trim_end));
     while let Some((place, line)) = lines.next() {
         let mut words = line.trim_ascii_start();
         if !words.starts_with(['v', 'f']) {

@@ -86,11 +86,16 @@ pub fn is_ply(bytes: &[u8]) -> bool {
 pub fn read(bytes: &[u8]) -> Result<(Header, &[u8]), String> {
     let mut header = Header::default();
     let mut rest = bytes;
+    // Where each line ends with CR alone, an LF behind the header is the first byte of a number.
+    let mut has_cr_alone = true;
     loop {
-        let end = rest.iter().position(|byte| *byte == b'\n');
+        let end = rest.iter().position(|byte| matches!(byte, b'\r' | b'\n'));
         let (line, below) = rest.split_at(end.ok_or("it has no line end_header")?);
-        rest = &below[1..];
-        if line.trim_ascii() == b"end_header" {
+        let is_end = line.trim_ascii() == b"end_header";
+        let is_cr_lf = below.starts_with(b"\r\n") && !(is_end && has_cr_alone);
+        has_cr_alone &= below.starts_with(b"\r") && !is_cr_lf;
+        rest = &below[if is_cr_lf { 2 } else { 1 }..];
+        if is_end {
             return Ok((header, rest));
         }
         header.add(line)?;

@@ -53,6 +53,7 @@ fn check(cases: &str, change: impl Fn(&str) -> String) {
         for file in [
             file.clone(),
             file.replace('\n', "\r\n"),
+            file.replace('\n', "\r"),
             format!("\u{FEFF}{file}"),
         ] {
             let mut found = "# square".to_owned();
@@ -90,6 +91,24 @@ fn each_ply_is_the_square_or_gets_its_error() {
         }
         file
     });
+}
+
+/// Files of Rhino 6 and of Draco have lines that end with CR alone.
+#[test]
+fn the_first_byte_of_a_number_in_ply_may_look_like_the_end_of_a_line() {
+    let (header, _) = PLY.split_once("0 0 0").unwrap();
+    let header = header.replace("ascii", "binary_little_endian");
+    for line_end in ["\n", "\r", "\r\n"] {
+        let mut file = header.replace('\n', line_end).into_bytes();
+        let small = f32::from_le_bytes([b'\n', 0, 0, 0]);
+        for coordinate in [small, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0] {
+            file.extend(coordinate.to_le_bytes());
+        }
+        file.push(4);
+        (0..4_i32).for_each(|i| file.extend(i.to_le_bytes()));
+        let x = read(&file).triangles().next().unwrap().0[0][0];
+        assert_eq!(x, f64::from(small), "{line_end:?}");
+    }
 }
 
 #[test]
