@@ -20,12 +20,12 @@ pub struct Triangulator {
 
 impl Triangulator {
     /// The triangles of a polygon, which need be neither convex nor flat, as the numbers of their corners in
-    /// the polygon's direction. One without area has none.
+    /// the polygon's direction, if its border does not cross itself. One without area has none.
     pub fn cut(&mut self, points: impl Iterator<Item = [f64; 3]>) -> &[[u32; 3]] {
         self.triangles.clear();
         self.set_corners(points);
         if let Some(normal) = self.normal() {
-            if self.is_convex(normal) {
+            if self.is_convex(normal) || self.is_crossed(normal) {
                 self.cut_fan();
             } else {
                 self.cut_ears(normal);
@@ -70,16 +70,24 @@ impl Triangulator {
     /// The normal of the polygon, of any length; none if it has no area.
     ///
     /// It is the sum of the products of neighbouring corners (Newell; Sutherland, Sproull and
-    /// Schumacker, *A Characterization of Ten Hidden-Surface Algorithms*, 1974).
+    /// Schumacker, *A Characterization of Ten Hidden-Surface Algorithms*, 1974). Where the border crosses
+    /// itself so that these cancel, it is the largest of them.
     fn normal(&self) -> Option<DVec3> {
-        let mut sum = DVec3::ZERO;
+        let (mut sum, mut largest) = (DVec3::ZERO, DVec3::ZERO);
         let mut lengths = 0.0;
         for neighbours in self.corners.windows(2) {
             let product = neighbours[0].0.cross(neighbours[1].0);
             sum += product;
             lengths += product.length();
+            if product.length() > largest.length() {
+                largest = product;
+            }
         }
-        (sum.length() > NO_AREA * lengths).then_some(sum)
+        if sum.length() > NO_AREA * lengths {
+            return Some(sum);
+        }
+        // The largest coordinate is 1 or more.
+        (largest.length() > NO_AREA).then_some(largest)
     }
 
     /// Whether all corners turn in the same direction, and together go round once.
@@ -92,7 +100,19 @@ impl Triangulator {
         (0..count).all(|i| is_left(i, i + 1, i + 2)) && (1..count - 1).all(|i| is_left(0, i, i + 1))
     }
 
-    /// Cuts a convex polygon by the lines from its first corner.
+    /// Whether these are four corners whose border crosses itself: at either diagonal, the triangles on both
+    /// sides turn in different directions.
+    fn is_crossed(&self, normal: DVec3) -> bool {
+        let area = |corners: [usize; 3]| {
+            let [a, b, c] = corners.map(|i| self.corners[i].0);
+            (b - a).cross(c - a).dot(normal)
+        };
+        self.corners.len() == 4
+            && area([0, 1, 2]) * area([0, 2, 3]) < 0.0
+            && area([1, 2, 3]) * area([1, 3, 0]) < 0.0
+    }
+
+    /// Cuts a polygon by the lines from its first corner.
     fn cut_fan(&mut self) {
         let first = self.corners[0].1;
         for neighbours in self.corners[1..].windows(2) {
@@ -181,6 +201,26 @@ mod tests {
         [0.0, 0.0],
     ];
     const LINE: [[f64; 2]; 5] = [[0.0, 0.0], [1.0, 1.0], [3.0, 3.0], [2.0, 2.0], [1.0, 1.0]];
+
+    /// Four corners of a square and of other quadrilaterals, two of them exchanged, as files have them: the
+    /// triangles on both sides of a diagonal.
+    #[test]
+    fn four_corners_whose_border_crosses_itself_are_two_triangles() {
+        for [x, y] in [[1.0, 1.0], [1.0, 0.5], [2.0, 0.5]] {
+            let mut points = [
+                [-1.0, -1.0, 0.0],
+                [x, y, 0.0],
+                [1.0, -1.0, 0.0],
+                [-1.0, 1.0, 0.0],
+            ];
+            for _ in 0..4 {
+                points.rotate_left(1);
+                let mut triangulator = Triangulator::default();
+                let triangles = triangulator.cut(points.iter().copied());
+                assert_eq!(triangles, [[0, 1, 2], [0, 2, 3]], "{points:?}");
+            }
+        }
+    }
 
     /// All numbers are small integers. The map (x, y) to (x + y, x - y, 2x + y) + (1, 1, 1) has the area
     /// factor √14: the product of its columns is (3, 1, -2).
