@@ -9,9 +9,13 @@ use crate::files::{Files, complaint};
 
 /// The anchors without a figure.
 pub fn anchors(files: &Files) -> Vec<String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("recording.csv");
-    let text = fs::read_to_string(path).expect("the recording");
-    let recording = Recording::parse(&text).expect("the recording");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let [here, elsewhere] = ["recording.csv", "elsewhere.csv"]
+        .map(|file| fs::read_to_string(folder.join(file)).expect("a recording"));
+    let recording = Recording::parse(&here).expect("the recording");
+    let recording = recording
+        .with_elsewhere(&elsewhere)
+        .expect("quotients that turn");
     let (mut anchors, mut complaints) = (0, Vec::new());
     for (page, text) in files.pages() {
         let mut start = 0;

@@ -12,9 +12,45 @@ use measure::experiment::{Curve, Errors, Experiment, Point, Slope, Times};
 use coverage::{disc_coverage, in_disc, in_stripe, stripes};
 use places::{METHODS, Places};
 
+const EDGES: [Picture; 2] = [CURVED_EDGE, LEVEL_EDGE];
+
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![CURVED_EDGE.experiment(), LEVEL_EDGE.experiment()]
+    EDGES.map(Picture::experiment).into()
+}
+
+/// The light of the pixels of an experiment, row by row from the top.
+pub struct Sampled {
+    /// Pixels in a row.
+    pub width: u32,
+    /// By some samples in each pixel that an edge crosses.
+    pub lights: Vec<f64>,
+    /// In closed form.
+    pub means: Vec<f64>,
+}
+
+/// The picture behind a point of an experiment; none if there is no method or experiment of this name.
+pub fn sampled(experiment: &str, method: &str, samples: u32) -> Option<Sampled> {
+    let picture = EDGES.iter().find(|picture| picture.name == experiment)?;
+    let method = METHODS.iter().find(|known| known.name == method)?;
+    let (mut lights, mut means) = (Vec::new(), Vec::new());
+    for row in (0..picture.height).rev() {
+        for column in 0..picture.width {
+            let mean = (picture.mean)(column.into(), row.into());
+            let pixel = Pixel { column, row, mean };
+            lights.push(if pixel.is_crossed() {
+                picture.sampled_mean(&pixel, method.places, samples)
+            } else {
+                mean
+            });
+            means.push(mean);
+        }
+    }
+    Some(Sampled {
+        width: picture.width,
+        lights,
+        means,
+    })
 }
 
 /// A picture whose pixels have known means, and the question that it answers.
@@ -61,6 +97,13 @@ struct Pixel {
     mean: f64,
 }
 
+impl Pixel {
+    /// Whether its light is not the same everywhere.
+    fn is_crossed(&self) -> bool {
+        (1e-9..1.0 - 1e-9).contains(&self.mean)
+    }
+}
+
 impl Picture {
     /// An experiment with all samplers.
     fn experiment(self) -> Experiment<'static> {
@@ -100,9 +143,7 @@ impl Picture {
         for row in 0..self.height {
             for column in 0..self.width {
                 let mean = (self.mean)(column.into(), row.into());
-                if (1e-9..1.0 - 1e-9).contains(&mean) {
-                    pixels.push(Pixel { column, row, mean });
-                }
+                pixels.extend(Some(Pixel { column, row, mean }).filter(Pixel::is_crossed));
             }
         }
         pixels

@@ -3,7 +3,7 @@
 #![doc(hidden)]
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
-mod experiments;
+pub mod experiments;
 mod extremes;
 pub mod protocol;
 

@@ -22,6 +22,7 @@ mod preprocess;
 mod recorded;
 mod yours;
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -46,7 +47,12 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Task {
     /// Measures the experiments of all stages, for the figures and plots of the book.
-    Record,
+    Record {
+        /// Measures nothing: says which quotients of times have another sign in this recording, of
+        /// another machine or day.
+        #[arg(long, value_name = "OTHER.csv")]
+        compare: Option<PathBuf>,
+    },
     /// Changes the pages for mdBook.
     #[command(hide = true)]
     Preprocess {
@@ -70,7 +76,10 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     std::env::set_current_dir(root).map_err(file::with_path(root.as_ref()))?;
     match &arguments.command {
-        Some(Task::Record) => return recorded::record(),
+        Some(Task::Record { compare: None }) => return recorded::record(),
+        Some(Task::Record {
+            compare: Some(other),
+        }) => return recorded::compare(other),
         // All kinds of output are served.
         Some(Task::Preprocess { words }) if !words.is_empty() => return Ok(()),
         Some(Task::Preprocess { .. }) => return preprocess::run(),

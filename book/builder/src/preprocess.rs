@@ -17,8 +17,11 @@ pub fn run() -> Result<(), String> {
     let json: Value = serde_json::from_str(&json).map_err(|error| error.to_string())?;
     // The first of the two values is the configuration.
     let mut book = json.get(1).ok_or("mdBook gave no book")?.clone();
-    let text = file::read(Path::new(recorded::RECORDING))?;
-    change(&mut book, &Recording::parse(&text)?)?;
+    let [here, elsewhere] =
+        [recorded::RECORDING, recorded::ELSEWHERE].map(|path| file::read(Path::new(path)));
+    let (here, elsewhere) = (here?, elsewhere?);
+    let recording = Recording::parse(&here)?.with_elsewhere(&elsewhere)?;
+    change(&mut book, &recording)?;
     println!("{book}");
     Ok(())
 }

@@ -1,14 +1,19 @@
-//! The recording, which `cargo record` measures.
+//! The recording, which `cargo record` measures, and compares with another one.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+use measure::recorded::Recording;
 
 use crate::command::{output, run};
 use crate::file;
 
 /// The recording of the book.
 pub const RECORDING: &str = "book/recording.csv";
+
+/// The points of another recording whose quotients of times have another sign.
+pub const ELSEWHERE: &str = "book/elsewhere.csv";
 
 const PICTURES: &str = "book/src/pictures";
 
@@ -40,6 +45,34 @@ pub fn record() -> Result<(), String> {
     let measured = file::read(&folder.join("recording.csv"))?;
     file::write(Path::new(RECORDING), &measured)?;
     replace_plots(folder)
+}
+
+/// Says which quotients of times have another sign in another recording, and keeps them, so that no page
+/// prints them as facts.
+pub fn compare(other: &Path) -> Result<(), String> {
+    let (here, there) = (file::read(Path::new(RECORDING))?, file::read(other)?);
+    let here = Recording::parse(&here)?;
+    let compared = here.compare(&Recording::parse(&there)?);
+    let (opposite, unsure): (Vec<_>, Vec<_>) = compared
+        .turned
+        .iter()
+        .partition(|turned| turned.is_opposite());
+    for (kind, turned) in [
+        ("have the other sign", opposite),
+        ("differ in one only", unsure),
+    ] {
+        println!(
+            "{} of {} quotients {kind}",
+            turned.len(),
+            compared.quotients
+        );
+        for one in turned {
+            println!("  {one}");
+        }
+    }
+    file::write(Path::new(ELSEWHERE), &compared.elsewhere)?;
+    println!("{ELSEWHERE}");
+    Ok(())
 }
 
 /// What the head of a recording says beside machine and build, and the programs that know it.

@@ -8,6 +8,7 @@ mod catalogue;
 mod extremes;
 mod figures;
 mod file;
+mod measuring;
 mod picture;
 mod sensitivity;
 
@@ -19,7 +20,7 @@ pub use page::Answer;
 type Answered = Result<Answer, Error>;
 
 /// Answers a request of a page: `render`, `about`, `export`, `trace` or `drawing` and a picture, with the
-/// settings and a pixel as numbers, `extremes STAGE`, `pictures`, or the name of a figure
+/// settings and a pixel as numbers, `measure` and a request to the measurement of error against run time, `extremes STAGE`, `pictures`, or the name of a figure
 /// with its numbers. The text of a scene file is a picture, too, behind a line `file`; `numbers`,
 /// `influences` and `changes` take no other picture. An error is a sentence for the reader.
 pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
@@ -32,6 +33,7 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         Some(("influences", name)) => sensitivity::influences(name, numbers),
         Some(("changes", name)) => sensitivity::changes(name, numbers),
         Some(("about", name)) => picture::about(name),
+        Some(("measure", request)) => measuring::answer(request, numbers),
         Some(("extremes", stage)) => extremes::extremes(stage),
         None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),
         _ => figures::answer(request, numbers),

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use crate::experiment::{Axis, Curve};
+use crate::experiment::{Axis, Curve, Interval};
+use crate::student;
+use crate::sure::Sure;
 
 /// The most that errors may stray from a power law, as the root mean square of their
 /// residuals in decades: a factor of about the square root of two.
@@ -10,9 +12,6 @@ const MOST_SCATTER: f64 = 0.15;
 
 /// The most by which the slope of a power law changes between its halves.
 const MOST_BEND: f64 = 0.2;
-
-/// The greatest number of its standard errors that a change of the slope may have and count as noise.
-const NOISE: f64 = 2.0;
 
 /// The least range of a power law, in decades.
 const LEAST_DECADES: f64 = 1.0;
@@ -22,8 +21,8 @@ const LEAST_DECADES: f64 = 1.0;
 pub struct Fit {
     /// The slope.
     pub slope: f64,
-    /// The standard error of the slope.
-    pub standard_error: f64,
+    /// Half of the slope's interval of 95 %.
+    pub half_width: f64,
     /// The standard deviation of the errors from the line, in decades.
     pub scatter: f64,
     /// The range of work or parameter, in decades.
@@ -58,7 +57,7 @@ impl Fit {
         }
         Some(Self {
             slope: line.slope,
-            standard_error: line.standard_error,
+            half_width: student::factor(points.len() - 2) * line.standard_error,
             scatter: (squared_residuals / (count - 2.0)).sqrt(),
             decades: high - low,
             bend: bend(points),
@@ -77,15 +76,21 @@ impl Fit {
         self.bend.abs() > MOST_BEND
     }
 
-    /// The slope with its standard error.
+    /// The slope with its interval.
     fn slope_in_words(&self) -> String {
-        // Not "-0.000".
-        let slope = libm::round(self.slope * 1e3) / 1e3 + 0.0;
-        format!("slope {slope:.3} ± {:.3}", self.standard_error)
+        format!("slope {}", Sure::around(self.slope, self.half_width))
+    }
+
+    /// The interval of the slope.
+    pub(crate) fn interval(&self) -> Interval {
+        Interval {
+            low: self.slope - self.half_width,
+            high: self.slope + self.half_width,
+        }
     }
 }
 
-/// The slope with its standard error, or the reason why there is none.
+/// The slope with its interval, or the reason why there is none.
 impl fmt::Display for Fit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.decades < LEAST_DECADES {
@@ -112,7 +117,8 @@ fn bend(points: &[LogPoint]) -> f64 {
     };
     let change = second.slope - first.slope;
     let standard_error = libm::hypot(first.standard_error, second.standard_error);
-    if change.abs() <= NOISE * standard_error {
+    // Two of the points of each half are used up by its line.
+    if change.abs() <= student::factor(2 * half - 4) * standard_error {
         0.0
     } else {
         change
@@ -196,8 +202,8 @@ mod tests {
     fn the_slope_of_a_power_is_its_exponent() {
         let powers = [1.0, 4.0, 16.0, 64.0].map(|n: f64| (n, 0.3 / n.sqrt()));
         let exact = fit(&powers).unwrap();
-        assert!((exact.slope + 0.5).abs() < 1e-12 && exact.standard_error < 1e-12);
-        assert_eq!(exact.to_string(), "slope -0.500 ± 0.000");
+        assert!((exact.slope + 0.5).abs() < 1e-12 && exact.half_width < 1e-12);
+        assert_eq!(exact.to_string(), "slope -0.500 ± 0.001");
         let with_zero = [&powers[..], &[(256.0, 0.0)]].concat();
         assert_eq!(fit(&with_zero), Some(exact), "0 has no logarithm");
     }
@@ -211,7 +217,8 @@ mod tests {
         let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
         assert!(near(fit.slope, 0.02), "{fit:?}");
         assert!(near(fit.scatter, 0.004_f64.sqrt()), "{fit:?}");
-        assert!(near(fit.standard_error, 0.0008_f64.sqrt()), "{fit:?}");
+        // Student's t of two degrees of freedom.
+        assert!(near(fit.half_width, 4.303 * 0.0008_f64.sqrt()), "{fit:?}");
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::report::Measured;
 
 /// The factor between two times up to which they count as equal: they differ by as much between
 /// builds, and beside other work.
-const EQUAL_TIMES: f64 = 1.2;
+pub(crate) const EQUAL_TIMES: f64 = 1.2;
 
 /// The factor between two errors up to which they count as equal: half a digit of a binary number.
 const EQUAL_ERRORS: f64 = std::f64::consts::SQRT_2;
@@ -21,9 +21,10 @@ const ALL_WRONG: f64 = 1.0;
 
 /// A point of a curve, to be compared with those of other methods.
 #[derive(Clone, Copy)]
-pub(crate) struct Contender {
+pub struct Contender {
     /// The number of its curve.
     pub curve: usize,
+    /// The value of the parameter.
     pub parameter: f64,
     error: f64,
     interval: Interval,
@@ -78,7 +79,7 @@ impl Measured<'_> {
     ///
     /// `opposite` is the experiment with the opposite mistake, if there is one: the
     /// greater fraction of both counts.
-    pub(crate) fn front(&self, opposite: Option<&Self>) -> Vec<Contender> {
+    pub fn front(&self, opposite: Option<&Self>) -> Vec<Contender> {
         let e = &self.experiment;
         let mut all = Vec::new();
         match (e.curves_are, e.unit) {
@@ -109,11 +110,14 @@ impl Measured<'_> {
     }
 }
 
-/// The contenders that no other one beats, of those that are not wrong in every case.
+/// The contenders that no other one beats, of those that are timed and not wrong in every case.
 fn unbeaten(contenders: &[Contender], unit: Unit) -> Vec<Contender> {
     let has_limit = matches!(unit, Unit::Fraction | Unit::FractionOf(_));
     let mut useful = contenders.to_vec();
-    useful.retain(|one| one.error.is_finite() && !(has_limit && one.error >= ALL_WRONG));
+    useful.retain(|one| {
+        let is_measured = one.error.is_finite() && one.time.value.is_finite();
+        is_measured && !(has_limit && one.error >= ALL_WRONG)
+    });
     let mut unbeaten = useful.clone();
     unbeaten.retain(|one| !useful.iter().any(|other| other.beats(one)));
     unbeaten

@@ -19,17 +19,22 @@ mod example;
 pub mod experiment;
 pub mod extremes;
 pub mod fit;
-mod front;
+pub mod front;
 mod interval;
 mod laboratory;
 mod plot;
 mod point;
 pub mod provenance;
+pub mod reach;
 pub mod recorded;
 pub mod report;
+mod rounds;
 pub mod scene_report;
+mod student;
+mod sure;
 
 #[cfg(not(target_family = "wasm"))]
 pub use command_line::{run, run_with};
 pub use effort::Effort;
 pub use laboratory::Laboratory;
+pub use rounds::{Rounds, Turn};

@@ -38,6 +38,8 @@ pub struct Errors {
     pub interval: Interval,
     /// The greatest error, in the same unit; none of decisions.
     pub max: Option<f64>,
+    /// The number of inputs, such as tasks or pixels.
+    pub inputs: usize,
 }
 
 impl Errors {
@@ -55,6 +57,7 @@ impl Errors {
             rms: (squares.sum::<f64>() / all.len() as f64).sqrt(),
             interval: interval::of_rms(&all, errors_per_input),
             max: all.iter().map(|error| error.abs()).max_by(f64::total_cmp),
+            inputs: all.len() / errors_per_input,
         }
     }
 
@@ -65,6 +68,7 @@ impl Errors {
             rms: fraction,
             interval: interval::of_fraction(fraction, decisions),
             max: None,
+            inputs: decisions,
         }
     }
 
@@ -105,13 +109,18 @@ impl<'a> Times<'a> {
         }
     }
 
-    /// The processor time of one run in seconds, as the mean of this number of runs.
+    /// The processor time of this number of runs, in seconds.
     pub(crate) fn measure(&mut self, runs: u32) -> f64 {
         let start = now();
+        self.run(runs);
+        now() - start
+    }
+
+    /// Runs it this number of times.
+    pub(crate) fn run(&mut self, runs: u32) {
         for _ in 0..runs {
             (self.run)();
         }
-        (now() - start) / f64::from(runs)
     }
 
     /// The time as it is compared with those of other methods at the same value of the parameter:
@@ -134,7 +143,7 @@ fn now() -> f64 {
     program::processor_time()
 }
 
-/// In browsers nothing is timed.
+/// In browsers the page has the clock.
 #[cfg(target_family = "wasm")]
 fn now() -> f64 {
     f64::NAN

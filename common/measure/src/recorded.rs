@@ -4,30 +4,40 @@
 //!
 //! | anchor | becomes |
 //! |---|---|
-//! | `{{recorded time a04.sphere-far.compensated/stable-ours}}` | the quotient of the times of two methods |
+//! | `{{recorded time a04.sphere-far.compensated/stable-ours}}` | the quotient of the times of two methods, `1.42 ± 0.02`, or `no difference` |
+//! | `{{recorded times a04.sphere-far.stable-ours/protocol}}` | the same behind "takes": `1.42 ± 0.02 times as long` |
 //! | `{{recorded error a04.sphere-far.stable-ours@512}}` | the root mean square error, or the fraction of wrong answers |
 //! | `{{recorded slope a04.sphere-far.stable-ours}}` | the slope of the curve, or `no power law` |
 //! | `{{recorded where}}` | machine, build, commit and date |
+//!
+//! Behind `±` stands half of the interval of 95 %. One of the two methods of a quotient is the first one of its
+//! experiment, with which the others took turns. Where another recording has another sign, both are printed.
 //!
 //! Methods are named in lower case with dashes. `@` names the value of the parameter, by default the last one
 //! that both methods have.
 
 mod anchor;
+mod compare;
 mod figure;
 mod row;
 #[cfg(test)]
 mod tests;
 
 pub use anchor::Anchor;
+pub use compare::{Comparison, Turned};
 use figure::Name;
-use row::Row;
+pub use row::{Measurement, Row};
 
 /// A recording.
 #[derive(Debug, Default)]
 pub struct Recording<'t> {
     /// The lines of its head: keys and words.
     head: Vec<(&'t str, &'t str)>,
+    /// The names of the columns.
+    columns: &'t str,
     rows: Vec<Row<'t>>,
+    /// Points of another recording, whose quotients have another sign.
+    elsewhere: Vec<Row<'t>>,
 }
 
 impl<'t> Recording<'t> {
@@ -38,6 +48,7 @@ impl<'t> Recording<'t> {
         // After the head stand the names of the columns.
         for line in lines.by_ref() {
             let Some(line) = line.strip_prefix("# ") else {
+                recording.columns = line;
                 break;
             };
             recording.head.extend(line.split_once(": "));
@@ -47,6 +58,18 @@ impl<'t> Recording<'t> {
             recording.rows.push(row);
         }
         Ok(recording)
+    }
+
+    /// With the points of another recording whose quotients have another sign, the `elsewhere` of a
+    /// [`Comparison`].
+    pub fn with_elsewhere(mut self, text: &'t str) -> Result<Self, String> {
+        self.elsewhere = Self::parse(text)?.rows;
+        Ok(self)
+    }
+
+    /// The points of an experiment.
+    pub fn experiment(&self, name: &str) -> impl Iterator<Item = &Row<'t>> {
+        self.rows.iter().filter(move |row| row.experiment == name)
     }
 
     /// A page with figures instead of anchors. A figure that is not recorded is an error.
@@ -83,8 +106,13 @@ impl<'t> Recording<'t> {
 
     fn quantity(&self, quantity: &str, name: &str) -> Option<String> {
         let name = Name::parse(name)?;
-        if quantity == "time" {
-            return self.time(&name);
+        if let "time" | "times" = quantity {
+            let (here, elsewhere) = self.time(&name)?;
+            return Some(match elsewhere {
+                _ if quantity == "times" => figure::times_as_long(here, elsewhere),
+                Some(there) => [here, there].map(figure::quotient).join("; elsewhere "),
+                None => figure::quotient(here),
+            });
         }
         let point = self.points(&name, name.methods).pop()?;
         match quantity {
@@ -94,14 +122,16 @@ impl<'t> Recording<'t> {
         }
     }
 
-    /// The quotient of the times of two methods, at the last value of the parameter that both have.
-    fn time(&self, name: &Name) -> Option<String> {
+    /// The quotient of the times of two methods, at the last value of the parameter that both have; and
+    /// the quotient elsewhere, if it has another sign.
+    fn time(&self, name: &Name) -> Option<(Measurement, Option<Measurement>)> {
         let (own, other) = name.methods.split_once('/')?;
         let others = self.points(name, other);
         for own in self.points(name, own).into_iter().rev() {
             for other in &others {
                 if other.parameter == own.parameter {
-                    return Some(figure::time(own, other));
+                    let elsewhere = quotient(&self.elsewhere, own, other);
+                    return Some((quotient(&self.rows, own, other)?, elsewhere));
                 }
             }
         }
@@ -117,4 +147,31 @@ impl<'t> Recording<'t> {
         }
         points
     }
+}
+
+/// The quotient of the times of two points in some rows. The times of all methods come from turns with
+/// the first one: no other quotient has an interval.
+fn quotient(rows: &[Row], own: &Row, other: &Row) -> Option<Measurement> {
+    if let Some(quotient) = over_first(rows, own).filter(|_| is_first(rows, other)) {
+        return Some(quotient);
+    }
+    let inverse = over_first(rows, other).filter(|_| is_first(rows, own));
+    inverse.map(Measurement::inverse)
+}
+
+/// Whether a point belongs to the first method of its experiment.
+fn is_first(rows: &[Row], point: &Row) -> bool {
+    let first = rows.iter().find(|row| row.experiment == point.experiment);
+    first.is_some_and(|first| first.method == point.method)
+}
+
+/// The time of a point over that of the first method.
+fn over_first(rows: &[Row], point: &Row) -> Option<Measurement> {
+    let own = rows
+        .iter()
+        .find(|row| row.is_at(point) && row.method == point.method)?;
+    let first = rows
+        .iter()
+        .find(|row| row.is_at(point) && is_first(rows, row))?;
+    Some(own.seconds.over(first.seconds.value))
 }

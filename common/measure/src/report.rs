@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 
 use common::{Error, Median, atomic_file};
 
-use crate::experiment::{Curve, Curves, Experiment, Point};
+use crate::experiment::{Curve, Curves, Experiment, Point, Times};
 use crate::plot;
 use crate::provenance;
+use crate::rounds::{Rounds, Turn};
 
 pub use csv::{Named, csv};
 
@@ -24,17 +25,8 @@ pub struct Measured<'a> {
 /// The least processor time of a measurement in seconds, for which short runs are repeated.
 const LEAST_TIME: f64 = 1e-3;
 
-/// The fewest rounds, and the processor time in seconds that is enough for all rounds of an experiment.
-const FEWEST_ROUNDS: usize = 9;
-const ENOUGH_TIME: f64 = 6.0;
-
-/// The most runs of a measurement.
-const MOST_RUNS: f64 = 1e4;
-
 impl<'a> Measured<'a> {
-    /// Measures errors, then times in a number of rounds, or in fewer if these take long. In each round
-    /// all methods take turns at each value of the parameter, so that other load on the machine affects
-    /// them equally.
+    /// Measures errors, then times in a number of [`Rounds`].
     ///
     /// Calls `progress` with the number of measured times and their total, before
     /// the first measurement and after each.
@@ -43,56 +35,41 @@ impl<'a> Measured<'a> {
         rounds: usize,
         mut progress: impl FnMut(usize, usize),
     ) -> Self {
-        let mut curves = (experiment.curves)();
-        let longest = curves.iter().map(|curve| curve.points.len()).max();
-        let longest = longest.unwrap_or(0);
-        let mut times = Vec::new();
-        for curve in &mut curves {
-            let unmeasured = PointTimes::default;
-            times.push(vec![unmeasured(); curve.points.len()]);
-        }
-        let points: usize = times.iter().map(Vec::len).sum();
-        let (mut done, all) = (0, rounds * points);
-        progress(done, all);
-        let mut total = 0.0;
-        for round in 0..rounds {
-            if round >= FEWEST_ROUNDS && total > ENOUGH_TIME {
-                break;
-            }
-            for p in 0..longest {
-                for turn in 0..curves.len() {
-                    // Another one begins each time, because the first may find caches empty.
-                    let c = (turn + round) % curves.len();
-                    let Some(point) = curves[c].points.get_mut(p) else {
-                        continue;
-                    };
-                    let times = &mut times[c][p];
-                    if round == 0 {
-                        // The first run fills caches, and says how many runs take long enough.
-                        let first = point.times.measure(1).max(1e-9);
-                        times.runs = (LEAST_TIME / first).clamp(1.0, MOST_RUNS) as u32;
-                    }
-                    let seconds = point.times.measure(times.runs);
-                    total += seconds * f64::from(times.runs);
-                    times.seconds.push(seconds);
-                    done += 1;
-                    progress(done, all);
-                }
-            }
-        }
+        let curves = (experiment.curves)();
+        let mut rounds = Rounds::new(&curves, rounds, LEAST_TIME);
         let mut measured = Self { experiment, curves };
-        measured.set_times(&times);
+        let [mut last, all] = rounds.progress();
+        progress(last, all);
+        while let Some(turn) = rounds.turn() {
+            rounds.took(measured.times(turn).measure(turn.runs));
+            let [done, _] = rounds.progress();
+            if done > last {
+                last = done;
+                progress(done, all);
+            }
+        }
+        measured.set_times(&rounds);
         measured
     }
 
-    /// Takes the medians of measured times. Those of all methods but the first follow from the times of
+    /// The run whose turn it is.
+    fn times(&mut self, turn: Turn) -> &mut Times<'a> {
+        &mut self.curves[turn.curve].points[turn.point].times
+    }
+
+    /// Runs the point whose turn it is, for a clock elsewhere.
+    pub fn run(&mut self, turn: Turn) {
+        self.times(turn).run(turn.runs);
+    }
+
+    /// Takes the medians of the times that are measured. Those of all methods but the first follow from the times of
     /// the first and the quotients of the rounds, so that times and quotients say the same.
-    fn set_times(&mut self, times: &[Vec<PointTimes>]) {
-        for (c, of_curve) in times.iter().enumerate() {
-            for (p, own) in of_curve.iter().enumerate() {
+    pub fn set_times(&mut self, rounds: &Rounds) {
+        for c in 0..self.curves.len() {
+            for p in 0..self.curves[c].points.len() {
                 let quotient = self
                     .shares_parameter(c, p)
-                    .then(|| Median::of_quotients(&own.seconds, &times[0][p].seconds));
+                    .then(|| rounds.quotient(c, 0, p));
                 let seconds = match quotient {
                     Some(Median { low, value, high }) => {
                         let unit = self.curves[0].points[p].times.seconds.value;
@@ -102,7 +79,7 @@ impl<'a> Measured<'a> {
                             high: high * unit,
                         }
                     }
-                    None => Median::of(own.seconds.clone()),
+                    None => Median::of(rounds.of(c, p).to_vec()),
                 };
                 let times = &mut self.curves[c].points[p].times;
                 (times.seconds, times.over_first) = (seconds, quotient);
@@ -179,13 +156,6 @@ pub fn opposite_of<'m, 'a>(
 ) -> Option<&'m Measured<'a>> {
     let name = measured.experiment.opposite?;
     all.iter().find(|other| other.experiment.name == name)
-}
-
-/// The times of a point, one for each round, of this number of runs each.
-#[derive(Clone, Default)]
-struct PointTimes {
-    runs: u32,
-    seconds: Vec<f64>,
 }
 
 /// The ending of the name of a table.

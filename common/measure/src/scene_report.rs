@@ -3,34 +3,165 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use common::{Error, Image, Sampling, SamplingReport, Scene, Settings, Size};
+use common::{Error, Image, Renderer, Sampling, SamplingReport, Scene, Settings, Size};
 
 use crate::experiment::{Curve, Errors, Experiment, HALF_GREY_LEVEL, Point, Times};
 
 /// The experiment with the samples of a scene: their number and their places,
 /// compared with many samples of another seed.
 pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
-    if !scene.uses.sampling {
-        let why = "is not sampled: there is nothing to choose";
-        return Err(Error::Usage(format!("{} {why}", scene.name)));
-    }
-    // A scene that cannot be rendered fails here already.
-    let settings = Settings {
-        size: small(scene.defaults.size)?,
-        seed: 0,
-        ..scene.defaults.clone()
-    };
-    scene.render(&taking(&settings, Sampling::Center, 1), &())?;
+    let samples = Samples::new(scene)?;
     Ok(Experiment {
+        curves: Box::new(move || samples.curves()),
+        ..without_curves(scene.name)
+    })
+}
+
+/// The same, whose curves are measured elsewhere.
+pub fn without_curves(name: &str) -> Experiment<'_> {
+    Experiment {
         question: "What do more samples buy, and where should they lie?",
         parameter: "samples per pixel",
         work: "rays",
         error: "rms error of a channel",
         exact: "against many stratified samples of two other seeds, whose own noise is taken off",
         seeds: &[0, REFERENCES[0], REFERENCES[1]],
-        curves: Box::new(move || curves(scene, &settings)),
-        ..Experiment::new(scene.name)
-    })
+        ..Experiment::new(name)
+    }
+}
+
+/// How samples are placed in the pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Method {
+    /// Its name.
+    pub name: &'static str,
+    /// The places; none of adaptive sampling.
+    sampling: Option<Sampling>,
+    /// The samples per pixel; of adaptive sampling the error that it is asked for, in half grey levels.
+    pub values: &'static [f64],
+}
+
+const SQUARES: &[f64] = &[1.0, 4.0, 16.0, 64.0];
+
+/// The methods of a report.
+pub const METHODS: [Method; 4] = [
+    Method {
+        name: "random",
+        sampling: Some(Sampling::Random),
+        values: SQUARES,
+    },
+    Method {
+        name: "regular",
+        sampling: Some(Sampling::Regular),
+        values: SQUARES,
+    },
+    Method {
+        name: "stratified",
+        sampling: Some(Sampling::Stratified),
+        values: SQUARES,
+    },
+    Method {
+        name: "adaptive",
+        sampling: None,
+        values: &[16.0, 8.0, 4.0, 2.0, 1.0, 0.5],
+    },
+];
+
+/// One sample, which all methods have as their first point but for its place.
+pub const MIDDLE: Method = Method {
+    name: "one in the middle",
+    sampling: Some(Sampling::Center),
+    values: &[1.0],
+};
+
+/// The samples of a scene, measured point by point.
+pub struct Samples<'a> {
+    scene: &'a Scene,
+    settings: Settings,
+}
+
+impl<'a> Samples<'a> {
+    /// The samples of a scene, which fails here already if it cannot be rendered.
+    pub fn new(scene: &'a Scene) -> Result<Self, Error> {
+        if !scene.uses.sampling {
+            let why = "is not sampled: there is nothing to choose";
+            return Err(Error::Usage(format!("{} {why}", scene.name)));
+        }
+        let settings = Settings {
+            size: small(scene.defaults.size)?,
+            seed: 0,
+            ..scene.defaults.clone()
+        };
+        scene.render(&taking(&settings, Sampling::Center, 1), &())?;
+        Ok(Self { scene, settings })
+    }
+
+    /// The size of the pictures.
+    pub const fn size(&self) -> Size {
+        self.settings.size
+    }
+
+    fn curves(&self) -> Vec<Curve<'a>> {
+        let [a, b] = REFERENCES.map(|seed| self.reference_picture(seed));
+        let reference = Reference::of(&a, &b);
+        let mut curves = Vec::new();
+        for method in METHODS {
+            let values = method.values.iter();
+            let points = values.map(|value| self.point(method, *value, &reference));
+            curves.push(Curve::new(method.name, points));
+        }
+        curves
+    }
+
+    /// The channels of a picture with many samples. The engine, whose colours are the same, takes less
+    /// time for it.
+    pub fn reference_picture(&self, seed: u64) -> Vec<f64> {
+        let settings = Settings {
+            seed,
+            renderer: Renderer::Engine,
+            ..taking(&self.settings, Sampling::Stratified, MANY)
+        };
+        channels(&self.scene.render(&settings, &()))
+    }
+
+    /// The settings of a method at one of its values.
+    fn settings(&self, method: Method, value: f64) -> Settings {
+        match method.sampling {
+            Some(sampling) => taking(&self.settings, sampling, value as u32),
+            None => Settings {
+                max_error: Some(value * HALF_GREY_LEVEL),
+                ..taking(&self.settings, self.settings.sampling, 1024)
+            },
+        }
+    }
+
+    /// The picture of a method at one of its values.
+    pub fn picture(&self, method: Method, value: f64) -> Result<Image, Error> {
+        self.scene.render(&self.settings(method, value), &())
+    }
+
+    /// The measurement of a method at one of its values.
+    pub fn point(&self, method: Method, value: f64, reference: &Reference) -> Point<'a> {
+        let settings = self.settings(method, value);
+        let sampled = Mutex::new(SamplingReport::default());
+        let image = self.scene.render(&settings, &sampled);
+        let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let pixels = settings.size.pixels() as f64;
+        // Only adaptive sampling reports its samples.
+        let work = match method.sampling {
+            Some(_) => value * pixels,
+            None => sampled.samples as f64,
+        };
+        let scene = self.scene;
+        Point {
+            parameter: work / pixels,
+            work,
+            errors: Errors::of_inputs(3, reference.differences(&image)).without(reference.noise),
+            times: Times::of(move || {
+                scene.render(&settings, &Mutex::new(SamplingReport::default()))
+            }),
+        }
+    }
 }
 
 /// The size with the same proportions, 160 pixels wide.
@@ -49,7 +180,7 @@ fn taking(settings: &Settings, sampling: Sampling, samples: u32) -> Settings {
 }
 
 /// The channels as a screen shows them, clamped to 1; none of a failed rendering.
-fn channels(image: Result<Image, Error>) -> Vec<f64> {
+fn channels(image: &Result<Image, Error>) -> Vec<f64> {
     let mut channels = Vec::new();
     if let Ok(image) = image {
         for color in image.pixels() {
@@ -60,11 +191,11 @@ fn channels(image: Result<Image, Error>) -> Vec<f64> {
 }
 
 /// The seeds of the reference pictures, which no curve uses, and the samples of each.
-const REFERENCES: [u64; 2] = [0x5EED, 0x5EEE];
+pub const REFERENCES: [u64; 2] = [0x5EED, 0x5EEE];
 const MANY: u32 = 1024;
 
 /// The channels that errors are differences from, and their own root mean square error.
-struct Reference {
+pub struct Reference {
     channels: Vec<f64>,
     noise: f64,
 }
@@ -72,16 +203,9 @@ struct Reference {
 impl Reference {
     /// The mean of two pictures with many samples. Each of them is off by noise of its own, so
     /// their difference has twice the mean square of one, and four times that of the mean.
-    fn of(scene: &Scene, settings: &Settings) -> Self {
-        let [a, b] = REFERENCES.map(|seed| {
-            let settings = Settings {
-                seed,
-                ..taking(settings, Sampling::Stratified, MANY)
-            };
-            channels(scene.render(&settings, &()))
-        });
+    pub fn of(a: &[f64], b: &[f64]) -> Self {
         let (mut mean, mut squares) = (Vec::new(), 0.0);
-        for (a, b) in a.iter().zip(&b) {
+        for (a, b) in a.iter().zip(b) {
             mean.push(f64::midpoint(*a, *b));
             squares += (a - b) * (a - b);
         }
@@ -91,67 +215,11 @@ impl Reference {
         }
     }
 
-    /// The errors of the channels of a picture, three of each pixel.
-    fn errors(&self, image: Result<Image, Error>) -> Errors {
+    /// By how much the channels of a picture are too bright, three of each pixel.
+    pub fn differences(&self, image: &Result<Image, Error>) -> Vec<f64> {
         let channels = channels(image);
         let pairs = channels.iter().zip(&self.channels);
-        let errors = Errors::of_inputs(3, pairs.map(|(channel, exact)| channel - exact));
-        errors.without(self.noise)
-    }
-}
-
-/// Half grey levels that adaptive sampling is asked for.
-const LEVELS: [f64; 6] = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5];
-
-fn curves<'a>(scene: &'a Scene, settings: &Settings) -> Vec<Curve<'a>> {
-    let reference = Reference::of(scene, settings);
-    let mut curves = Vec::new();
-    for (method, sampling) in [
-        ("random", Sampling::Random),
-        ("regular", Sampling::Regular),
-        ("stratified", Sampling::Stratified),
-    ] {
-        let mut points = Vec::new();
-        for side in [1, 2, 4, 8] {
-            let settings = taking(settings, sampling, side * side);
-            points.push(with_samples(scene, settings, &reference));
-        }
-        curves.push(Curve::new(method, points));
-    }
-    let mut points = Vec::new();
-    for levels in LEVELS {
-        let settings = Settings {
-            max_error: Some(levels * HALF_GREY_LEVEL),
-            ..taking(settings, settings.sampling, 1024)
-        };
-        points.push(within_an_error(scene, settings, &reference));
-    }
-    curves.push(Curve::new("adaptive", points));
-    curves
-}
-
-/// The measurement of a picture with a number of samples.
-fn with_samples<'a>(scene: &'a Scene, settings: Settings, reference: &Reference) -> Point<'a> {
-    let samples = f64::from(settings.samples);
-    Point {
-        parameter: samples,
-        work: samples * settings.size.pixels() as f64,
-        errors: reference.errors(scene.render(&settings, &())),
-        times: Times::of(move || scene.render(&settings, &())),
-    }
-}
-
-/// The measurement of a picture by adaptive sampling, with the samples that it takes.
-fn within_an_error<'a>(scene: &'a Scene, settings: Settings, reference: &Reference) -> Point<'a> {
-    let sampled = Mutex::new(SamplingReport::default());
-    let image = scene.render(&settings, &sampled);
-    let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let rays = sampled.samples as f64;
-    Point {
-        parameter: rays / settings.size.pixels() as f64,
-        work: rays,
-        errors: reference.errors(image),
-        times: Times::of(move || scene.render(&settings, &Mutex::new(SamplingReport::default()))),
+        pairs.map(|(channel, exact)| channel - exact).collect()
     }
 }
 

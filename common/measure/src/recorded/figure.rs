@@ -1,8 +1,10 @@
 //! Figures of points, as pages print them, and the names of these points.
 
-use common::text;
+use common::Median;
 
 use super::Row;
+use super::row::Measurement;
+use crate::sure::{Sure, mantissa};
 
 /// The name of one or two methods, such as `a04.sphere-far.stable-ours/protocol@512`.
 pub struct Name<'n> {
@@ -27,34 +29,59 @@ impl<'n> Name<'n> {
     }
 }
 
-/// The time of a point over that of another, with two digits.
-pub fn time(own: &Row, other: &Row) -> String {
-    text::rounded(own.seconds / other.seconds, 2)
+/// A quotient of times. Where its interval holds 1, words say so.
+pub fn quotient(quotient: Measurement) -> String {
+    match noise(quotient) {
+        Some(noise) => format!("no difference (within {noise})"),
+        None => sure(quotient),
+    }
+}
+
+/// The same behind "takes", with the quotient elsewhere if that has another sign.
+pub fn times_as_long(here: Measurement, elsewhere: Option<Measurement>) -> String {
+    let words = |quotient| match noise(quotient) {
+        Some(noise) => format!("as long, within {noise}"),
+        None => format!("{} times as long", sure(quotient)),
+    };
+    match elsewhere {
+        Some(elsewhere) => format!("{} here, and {} elsewhere", words(here), words(elsewhere)),
+        None => words(here),
+    }
+}
+
+fn noise(Measurement { value, low, high }: Measurement) -> Option<String> {
+    Median { low, value, high }.noise()
+}
+
+fn sure(Measurement { value, low, high }: Measurement) -> String {
+    Sure::within(value, low, high).to_string().replace('-', "−")
 }
 
 /// An error, in percent if it is a fraction of decisions.
 pub fn error(point: &Row) -> String {
+    let error = point.error;
     if point.unit == "all = 1" {
-        format!("{} %", in_a_formula(100.0 * point.error))
+        let percent = error.over(0.01);
+        return match error.value {
+            0.0 => format!("below {} %", Sure::around(0.0, percent.high).half()),
+            1.0 => format!(
+                "all but {} %",
+                Sure::around(0.0, 100.0 - percent.low).half()
+            ),
+            _ => format!("{} %", sure(percent)),
+        };
+    }
+    let (mantissa, power) = mantissa(error.value, error.low, error.high);
+    if (-4..6).contains(&power) {
+        sure(error)
     } else {
-        in_a_formula(point.error)
+        // In the notation of the book's formulas.
+        let mantissa = mantissa.to_string().replace('±', r"\pm");
+        format!(r"$({mantissa}) \cdot 10^{{{power}}}$")
     }
 }
 
-/// A slope with two decimals.
+/// A slope.
 pub fn slope(point: &Row) -> String {
-    match point.slope {
-        // Not "-0.00".
-        Some(slope) => format!("{:.2}", libm::round(slope * 1e2) / 1e2 + 0.0).replace('-', "−"),
-        None => "no power law".to_owned(),
-    }
-}
-
-/// A number with two digits, in the notation of the book's formulas.
-fn in_a_formula(number: f64) -> String {
-    let rounded = text::rounded(number, 2);
-    match rounded.split_once('e') {
-        Some((mantissa, power)) => format!(r"${mantissa} \cdot 10^{{{power}}}$"),
-        None => rounded,
-    }
+    point.slope.map_or_else(|| "no power law".to_owned(), sure)
 }

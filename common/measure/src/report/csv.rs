@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use common::{Median, text};
 
-use crate::experiment::Experiment;
+use crate::experiment::{Experiment, Interval};
 use crate::report::Measured;
 
 /// A measured experiment with the name that its rows have.
@@ -31,7 +31,7 @@ pub fn csv(provenance: &[(&str, String)], all: &[Named]) -> String {
         let _ = writeln!(csv, "# {name}: {question} {error}, {exact}; {seeds}");
     }
     csv += "experiment,method,parameter,work,unit,error,error low,error high,\
-            seconds,seconds low,seconds high,slope\n";
+            seconds,seconds low,seconds high,slope,slope low,slope high\n";
     for named in all {
         add_rows(&mut csv, named);
     }
@@ -42,8 +42,11 @@ fn add_rows(csv: &mut String, Named { name, measured }: &Named) {
     let e = &measured.experiment;
     for curve in &measured.curves {
         let slope = match e.fit(curve) {
-            Some(fit) if fit.is_power_law() => format!("{:.4}", fit.slope),
-            _ => String::new(),
+            Some(fit) if fit.is_power_law() => {
+                let Interval { low, high } = fit.interval();
+                format!("{:.4},{low:.4},{high:.4}", fit.slope)
+            }
+            _ => ",,".to_owned(),
         };
         for point in &curve.points {
             let (name, method, unit) = (text::name(name), curve.method, e.unit);

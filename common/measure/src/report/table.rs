@@ -3,11 +3,12 @@
 use std::fmt::Write;
 use std::time::Duration;
 
-use common::text;
+use common::{Median, text};
 
-use crate::experiment::{Curve, Curves};
+use crate::experiment::{Curve, Curves, Errors, Interval};
 use crate::front::Contender;
 use crate::report::Measured;
+use crate::sure::mantissa;
 
 impl Measured<'_> {
     /// The table for the terminal. `opposite` is the experiment with the opposite mistake, without
@@ -17,6 +18,11 @@ impl Measured<'_> {
         let (name, question, unit, exact) = (e.name, e.question, e.unit, e.exact);
         let mut text = format!("{name}: {question}\n");
         let _ = writeln!(text, "  {} ({unit}), {exact}", e.error);
+        let _ = writeln!(
+            text,
+            "  ± is half of the interval of 95 %{}",
+            self.beyond_max()
+        );
         let has_front = e.opposite.is_none() || opposite.is_some();
         let front = if has_front {
             self.front(opposite)
@@ -42,6 +48,22 @@ impl Measured<'_> {
         text
     }
 
+    /// What the greatest error says about inputs that nobody measured. If a fraction p of all inputs had a greater
+    /// error, then n of them would all miss it with the probability (1 - p)^n, which is 5 % for the printed p.
+    fn beyond_max(&self) -> String {
+        let points = self
+            .points()
+            .filter(|(_, point)| point.errors.max.is_some());
+        let Some(inputs) = points.map(|(_, point)| point.errors.inputs).min() else {
+            return String::new();
+        };
+        let percent = 100.0 * (1.0 - libm::pow(0.05, 1.0 / inputs as f64));
+        format!(
+            "; max is the greatest error of {inputs} inputs: as surely, at most {} % of all have a greater one",
+            text::rounded(percent, 2)
+        )
+    }
+
     /// The methods on a front.
     pub(super) fn names_of(&self, front: &[Contender]) -> String {
         let mut names = Vec::new();
@@ -60,7 +82,7 @@ impl Measured<'_> {
         let work_width = e.work.chars().count().max(14);
         let _ = writeln!(
             text,
-            "  {:24} {:>parameter_width$} {:>work_width$}     error       max       time  time / first method",
+            "  {:24} {:>parameter_width$} {:>work_width$}             error       max             time  time / first method",
             "method", e.parameter, e.work
         );
         for (c, curve) in self.curves.iter().enumerate() {
@@ -78,9 +100,9 @@ impl Measured<'_> {
                     Some(error) => format!("{error:.1e}"),
                     None => String::new(),
                 };
-                let _ = write!(text, " {:>9.1e} {max:>9}", errors.rms);
-                let time = duration(point.times.seconds.value);
-                let _ = write!(text, " {time:>10}");
+                let error = error(errors);
+                let time = time(&point.times.seconds);
+                let _ = write!(text, " {error:>17} {max:>9} {time:>16}");
                 if let Some(quotient) = point.times.over_first {
                     let _ = write!(text, "  {quotient}");
                 }
@@ -103,6 +125,21 @@ impl Measured<'_> {
 /// A number in few characters.
 fn short(number: f64) -> String {
     text::rounded(number, 5)
+}
+
+/// An error with its interval.
+fn error(errors: &Errors) -> String {
+    let Interval { low, high } = errors.interval;
+    match mantissa(errors.rms, low, high) {
+        (sure, 0) => sure.to_string(),
+        (sure, power) => format!("({sure})e{power}"),
+    }
+}
+
+/// A time with its interval in percent.
+fn time(Median { low, value, high }: &Median) -> String {
+    let percent = 100.0 * (high - value).max(value - low) / value;
+    format!("{} ± {:.0} %", duration(*value), percent.ceil())
 }
 
 /// A time, in the unit in which it has few digits.

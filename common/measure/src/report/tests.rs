@@ -9,7 +9,7 @@ fn the_table_shows_the_slope() {
     let progress = |done, all| steps.push((done, all));
     let table = Measured::new(experiment(), 9, progress).table(None);
     assert!(steps.into_iter().eq((0..=27).map(|done| (done, 27))));
-    let summary = "  a < b: slope -0.500 ± 0.000 (theory -0.5)\n";
+    let summary = "  a < b: slope -0.500 ± 0.001 (theory -0.5)\n";
     assert!(table.contains(summary), "{table}");
 }
 
@@ -46,12 +46,13 @@ fn slopes_and_fronts_are_computed_from_errors_and_times() {
     let rows = "\
 square-root: Is the error one over the square root?
   rms error (white = 1), against 0
-  method                              n          steps     error       max       time  time / first method
-  a < b                              10             10    5.0e-1    5.0e-1      2.0ms
-  a < b                              20             20    2.5e-1    2.5e-1      4.0ms
-* clever, new                        10             10    1.0e-1    1.0e-1      1.0ms  0.50 (0.50-0.50)
-  clever, new                        20             20    5.0e-1    5.0e-1      4.0ms  no difference beyond 34 %
-  clever, new                        30             30    5.0e-1    5.0e-1       3.0s
+  ± is half of the interval of 95 %; max is the greatest error of 1 inputs: as surely, at most 95 % of all have a greater one
+  method                              n          steps             error       max             time  time / first method
+  a < b                              10             10  (5.00 ± 0.01)e-1    5.0e-1     2.0ms ± 50 %
+  a < b                              20             20  (2.50 ± 0.01)e-1    2.5e-1     4.0ms ± 50 %
+* clever, new                        10             10  (1.00 ± 0.01)e-1    1.0e-1      1.0ms ± 0 %  0.50 (0.50-0.50)
+  clever, new                        20             20  (5.00 ± 0.01)e-1    5.0e-1     4.0ms ± 25 %  no difference beyond 34 %
+  clever, new                        30             30  (5.00 ± 0.01)e-1    5.0e-1      3.0s ± 50 %
 ";
     let table = measured(experiment()).table(None);
     assert!(table.starts_with(rows), "{table}");
@@ -123,12 +124,12 @@ fn csv_has_all_digits_below_its_origin_and_is_written_with_plots() {
         assert!(csv.contains(origin), "{origin}: {csv}");
     }
     let table = "
-experiment,method,parameter,work,unit,error,error low,error high,seconds,seconds low,seconds high,slope
-square-root,\"a < b\",10,10,\"white = 1\",5e-1,5.000e-1,5.000e-1,2.000e-3,2.000e-3,3.000e-3,
-square-root,\"a < b\",20,20,\"white = 1\",2.5e-1,2.500e-1,2.500e-1,4.000e-3,4.000e-3,6.000e-3,
-square-root,\"clever, new\",10,10,\"white = 1\",1e-1,1.000e-1,1.000e-1,1.000e-3,1.000e-3,1.000e-3,
-square-root,\"clever, new\",20,20,\"white = 1\",5e-1,5.000e-1,5.000e-1,4.000e-3,3.000e-3,5.000e-3,
-square-root,\"clever, new\",30,30,\"white = 1\",5e-1,5.000e-1,5.000e-1,3.000e0,3.000e0,4.500e0,
+experiment,method,parameter,work,unit,error,error low,error high,seconds,seconds low,seconds high,slope,slope low,slope high
+square-root,\"a < b\",10,10,\"white = 1\",5e-1,5.000e-1,5.000e-1,2.000e-3,2.000e-3,3.000e-3,,,
+square-root,\"a < b\",20,20,\"white = 1\",2.5e-1,2.500e-1,2.500e-1,4.000e-3,4.000e-3,6.000e-3,,,
+square-root,\"clever, new\",10,10,\"white = 1\",1e-1,1.000e-1,1.000e-1,1.000e-3,1.000e-3,1.000e-3,,,
+square-root,\"clever, new\",20,20,\"white = 1\",5e-1,5.000e-1,5.000e-1,4.000e-3,3.000e-3,5.000e-3,,,
+square-root,\"clever, new\",30,30,\"white = 1\",5e-1,5.000e-1,5.000e-1,3.000e0,3.000e0,4.500e0,,,
 ";
     assert!(csv.ends_with(table), "{csv}");
 }

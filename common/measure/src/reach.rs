@@ -1,0 +1,158 @@
+//! `Reach`: what a method costs to come down to an error that somebody wants.
+
+use common::Median;
+
+use crate::experiment::{Curve, Point};
+use crate::front::EQUAL_TIMES;
+
+/// The work and the time with which a method reaches an error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// The number of the curve.
+    pub curve: usize,
+    /// The parameter, such as the samples per pixel.
+    pub parameter: f64,
+    /// The time in seconds. Its upper end is infinite if no measured point is below the error for sure.
+    pub time: Median,
+}
+
+/// A point as it is measured, or one end of its intervals in both directions.
+#[derive(Clone, Copy)]
+struct Place {
+    parameter: f64,
+    error: f64,
+    seconds: f64,
+}
+
+/// The methods that reach an error, the soonest first; and how many of them, from the first one on, may be
+/// the soonest: the others are slower by more than what counts as equal for a [front](crate::report::Measured::front).
+pub fn soonest(curves: &[Curve], error: f64) -> (Vec<Reach>, usize) {
+    let mut reaches = Vec::new();
+    for (curve, of) in curves.iter().enumerate() {
+        reaches.extend(reach(curve, &of.points, error));
+    }
+    reaches.sort_by(|a, b| a.time.value.total_cmp(&b.time.value));
+    let first = reaches.first().copied();
+    reaches.sort_by_key(|one| first.is_some_and(|first| is_slower(one, &first)));
+    let may_be = |one: &&Reach| first.is_some_and(|first| !is_slower(one, &first));
+    let ties = reaches.iter().take_while(may_be).count();
+    (reaches, ties)
+}
+
+fn is_slower(one: &Reach, first: &Reach) -> bool {
+    EQUAL_TIMES * first.time.high < one.time.low
+}
+
+/// Between two measured points the error falls as a power of the work, and of the time. The interval
+/// comes from the better ends of both intervals of each point, and from the worse ones.
+fn reach(curve: usize, points: &[Point], error: f64) -> Option<Reach> {
+    let along = |place: fn(&Point) -> Place| first_below(points.iter().map(place), error);
+    let middle = along(|point| Place {
+        parameter: point.parameter,
+        error: point.errors.rms,
+        seconds: point.times.seconds.value,
+    })?;
+    let best = along(|point| Place {
+        parameter: point.parameter,
+        error: point.errors.interval.low,
+        seconds: point.times.seconds.low,
+    });
+    let worst = along(|point| Place {
+        parameter: point.parameter,
+        error: point.errors.interval.high,
+        seconds: point.times.seconds.high,
+    });
+    Some(Reach {
+        curve,
+        parameter: middle.parameter,
+        time: Median {
+            low: best.map_or(middle.seconds, |best| best.seconds),
+            value: middle.seconds,
+            high: worst.map_or(f64::INFINITY, |worst| worst.seconds),
+        },
+    })
+}
+
+/// Where the error is first reached: at the first point, or between two of them. Points without a time
+/// are left out.
+fn first_below(places: impl Iterator<Item = Place>, error: f64) -> Option<Place> {
+    let mut before: Option<Place> = None;
+    for place in places.filter(|place| place.seconds.is_finite()) {
+        if place.error > error {
+            before = Some(place);
+            continue;
+        }
+        let Some(before) = before else {
+            return Some(place);
+        };
+        // How far the way from the point before is, in logarithms.
+        let way = if place.error > 0.0 {
+            libm::log(before.error / error) / libm::log(before.error / place.error)
+        } else {
+            1.0
+        };
+        let between = |from: f64, to: f64| from * libm::pow(to / from, way);
+        return Some(Place {
+            parameter: between(before.parameter, place.parameter),
+            error,
+            seconds: between(before.seconds, place.seconds),
+        });
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::example;
+
+    /// A curve whose times are a thousandth of its work, give or take a fraction.
+    fn timed(points: &[(f64, f64)], noise: f64) -> Curve<'static> {
+        let mut curve = example::curve(points);
+        for point in &mut curve.points {
+            let value = point.work / 1000.0;
+            point.times.seconds = Median {
+                low: value * (1.0 - noise),
+                value,
+                high: value * (1.0 + noise),
+            };
+        }
+        curve
+    }
+
+    /// One over the square root reaches 1/8 with 64 steps, between 16 and 256; one over the work
+    /// with 8, and a hundredth over it with less than 1.
+    #[test]
+    fn the_work_for_an_error_is_that_of_the_power_law() {
+        let root = timed(&[(1.0, 1.0), (16.0, 0.25), (256.0, 0.0625)], 0.0);
+        let direct = timed(&[(1.0, 1.0), (4.0, 0.25), (16.0, 0.0625)], 0.0);
+        let never = timed(&[(1.0, 1.0), (2.0, 0.5)], 0.0);
+        let curves = [root, direct, never];
+        let (reaches, ties) = soonest(&curves, 0.125);
+        assert_eq!((reaches.len(), ties), (2, 1));
+        for (reach, (curve, steps)) in reaches.iter().zip([(1, 8.0), (0, 64.0)]) {
+            assert_eq!(reach.curve, curve);
+            assert!((reach.parameter - steps).abs() < 1e-9, "{reach:?}");
+            assert!(
+                (reach.time.value - steps / 1000.0).abs() < 1e-12,
+                "{reach:?}"
+            );
+        }
+        assert_eq!(soonest(&curves, 1e-9), (Vec::new(), 0));
+        let exact = timed(&[(1.0, 0.5), (2.0, 0.0)], 0.0);
+        assert_eq!(soonest(&[exact], 1e-9).0[0].parameter, 2.0);
+    }
+
+    /// Ten steps and eleven are no difference, and with a noise of a third thirteen are none, either.
+    #[test]
+    fn times_that_are_nearly_equal_or_unsure_tie() {
+        let ties = |steps: f64, noise| {
+            let curves = [(10.0, 0.1), (steps, 0.1)].map(|point| timed(&[point], noise));
+            soonest(&curves, 0.1).1
+        };
+        assert_eq!(
+            [ties(11.0, 0.0), ties(13.0, 0.0), ties(13.0, 0.3)],
+            [2, 1, 2]
+        );
+    }
+}
