@@ -11,7 +11,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 use crate::command::{output, run};
-use crate::{file, locks, yours};
+use crate::{file, locks, recorded, yours};
 
 /// The target of a browser.
 pub const TARGET: &str = "wasm32-unknown-unknown";
@@ -22,9 +22,9 @@ pub const TARGET: &str = "wasm32-unknown-unknown";
 pub const FLAGS: &str = r#"--cfg getrandom_backend="unsupported" -C target-feature=+simd128"#;
 
 /// Scripts of the pages, in the order in which they depend on each other. The hashes of the
-/// locked pictures and the reader's exercises stand between them, and the figures behind them.
+/// locked pictures, recorded curves and the reader's exercises stand between them, and the figures behind them.
 const BASE: [&str; 3] = ["binding", "worker", "live"];
-const PARTS: [&str; 14] = [
+const PARTS: [&str; 15] = [
     "picture",
     "trace",
     "marks",
@@ -36,6 +36,7 @@ const PARTS: [&str; 14] = [
     "pair",
     "figure",
     "follow",
+    "work-precision",
     "measure",
     "extremes",
     "words",
@@ -99,6 +100,7 @@ fn script_of_the_pages(yours: &str) -> Result<String, String> {
         script += &part(name)?;
     }
     script += &locks::script()?;
+    script += &recorded::script()?;
     script += yours;
     for name in PARTS {
         script += &part(name)?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use measure::recorded::Recording;
+use serde_json::{Value, json};
 
 use crate::command::{output, run};
 use crate::file;
@@ -73,6 +74,33 @@ pub fn compare(other: &Path) -> Result<(), String> {
     file::write(Path::new(ELSEWHERE), &compared.elsewhere)?;
     println!("{ELSEWHERE}");
     Ok(())
+}
+
+/// The experiments that a page measures anew, beside their recorded curves.
+const MEASURED_AGAIN: [&str; 3] = [
+    "a03.samples-curved-edge",
+    "a03.samples-level-edge",
+    "a05.phong",
+];
+
+/// The recorded curves as a script: method, parameter, error and seconds of each point.
+pub fn script() -> Result<String, String> {
+    let text = file::read(Path::new(RECORDING))?;
+    let recording = Recording::parse(&text)?;
+    let mut curves = serde_json::Map::new();
+    for name in MEASURED_AGAIN {
+        let mut points = Vec::new();
+        for row in recording.experiment(name) {
+            points.push(json!([
+                row.method,
+                row.parameter,
+                row.error.value,
+                row.seconds.value
+            ]));
+        }
+        curves.insert(name.to_owned(), points.into());
+    }
+    Ok(format!("live.recorded = {};\n", Value::from(curves)))
 }
 
 /// What the head of a recording says beside machine and build, and the programs that know it.

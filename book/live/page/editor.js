@@ -6,6 +6,7 @@ live.Editor = class {
         this.mistake = live.element('output', { className: 'live-mistake' });
         this.marks = new live.Marks(this.text);
         this.said = live.element('output', { className: 'live-said' });
+        this.measured = live.element('a', {}, 'how many samples does it need?');
         this.light = live.element('input', { type: 'checkbox', checked: true });
         this.picture = new live.Picture(image);
         this.numbers = new live.SceneNumbers(this);
@@ -14,7 +15,7 @@ live.Editor = class {
         this.light.onchange = () => this.dependents.hide();
         const controls = live.element('div', { className: 'live-controls' },
             live.element('label', {}, this.light, ' light up the pixels of the cursor’s line'),
-            live.button('which number makes a pixel?', () => this.ask()));
+            live.button('which number makes a pixel?', () => this.ask()), ' ', this.measured);
         const written = live.element('div', { className: 'live-text' }, this.marks.element, this.text, this.mistake);
         const [pre, paragraph] = [listing.closest('pre'), image.closest('p')];
         const left = live.element('div', {}, written, this.said, controls, pre.nextElementSibling);
@@ -64,6 +65,7 @@ live.Editor = class {
         this.complain('');
         this.drawn = value;
         history.replaceState(null, '', `#scene=${encodeURIComponent(value)}`);
+        this.measured.href = `error-and-run-time.html${location.hash}`;
         await picture.begin();
         if (picture.begun) {
             const { yaw, pitch, zoom } = picture.settings;

@@ -1,82 +1,255 @@
-// Error against run time, here: the samples of a scene, measured on this very machine.
+// Error against run time: a work-precision diagram that the page measures, by the code of the reports.
 live.Measure = class {
-    static samplings = [[1, 'a regular grid', 'a'], [2, 'random', 'b'], [3, 'a stratified grid', 'c']];
-    static size = [120, 90];
-    // Logarithms of milliseconds and of errors.
-    static area = { x: [-0.7, 4], y: [-3.4, -0.4] };
+    static pixels = ['one in the middle', 'regular', 'random', 'stratified', 'n rooks', 'R2'];
+    static pictures = ['one in the middle', 'regular', 'random', 'stratified', 'adaptive'];
+    // What is measured: its name in the module, its name for the reader, and the recorded experiment.
+    static subjects = [
+        ['a05-lighting-phong', 'phong, a picture', 'a05.phong'],
+        ['samples-curved-edge', 'the edge of a disc', 'a03.samples-curved-edge'],
+        ['samples-level-edge', 'a level edge', 'a03.samples-level-edge'],
+        ['a03-rays-cameras-striped-sky', 'striped-sky, a picture', ''],
+        ['file', 'your scene, from the editor', ''],
+    ];
 
     constructor(before) {
-        const scenes = Object.keys(live.locks).filter((name) => /^a0[4-7]/.test(name));
-        this.scene = live.element('select', { 'aria-label': 'scene' }, ...scenes.map((name) => live.element('option', {}, name)));
-        this.scene.value = 'a05-lighting-phong';
+        this.subject = live.element('select', { 'aria-label': 'what is measured', onchange: () => this.choose() },
+            ...live.Measure.subjects.map(([value, words]) => live.element('option', { value }, words)));
+        this.methods = live.element('span', { className: 'live-methods', role: 'group', 'aria-label': 'methods' });
+        this.question = live.element('div', { className: 'live-question' });
+        this.start = live.button('measure', () => this.run().catch(live.complain(this.status)));
+        this.halt = live.button('stop', () => this.stop());
+        this.bar = live.element('progress', { max: 1, hidden: true, 'aria-label': 'measured' });
         this.status = live.element('output');
-        const measure = live.button('measure', async () => {
-            measure.disabled = true;
-            await this.run([1, 4, 16, 64, 256], 1024).catch(live.complain(this.status));
-            measure.disabled = false;
-        });
-        this.svg = live.svg('svg', { viewBox: `0 0 ${live.Pen.width} ${new live.Pen(live.Measure.area).height}` });
-        const hint = 'Rendered by the lesson at 120 × 90, against 1024 stratified samples per pixel. Both are rounded to bytes, so that no error falls much below 1/510, the level line.';
-        before.before(live.panel('Error against run time, on this machine', hint,
-            live.element('div', { className: 'live-controls' }, this.scene, ' ', measure, ' ', this.status),
-            live.element('div', { className: 'live-drawings' }, this.svg)));
-        this.draw([]);
+        this.verdict = live.element('output', { className: 'live-verdict' });
+        this.slopes = live.element('p', { className: 'live-status' });
+        this.shown = live.element('figure', { className: 'live-shown', hidden: true });
+        this.canvas = live.element('canvas', { role: 'img', 'aria-label': 'the picture of the point, and its error enlarged' });
+        this.caption = live.element('figcaption');
+        this.shown.append(this.canvas, this.caption);
+        this.diagram = new live.WorkPrecision(
+            live.newest((point) => this.show(point), live.complain(this.caption)),
+            live.newest((error) => this.answer(error), live.complain(this.verdict)));
+        const hint = 'Farther left is faster, farther down is more exact. Thin: recorded on another machine. A bar is an interval of 95 %; large marks are on the Pareto front. '
+            + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
+        this.root = live.panel('Which method reaches your error soonest, here?', hint,
+            live.element('div', { className: 'live-controls' }, this.subject, ' ', this.methods),
+            this.question,
+            live.element('div', { className: 'live-controls' }, this.start, ' ', this.halt, ' ', this.bar, ' ', this.status),
+            live.element('div', { className: 'live-drawings' }, this.diagram.svg),
+            this.verdict, this.slopes, this.shown);
+        before.before(this.root);
+        addEventListener('hashchange', () => this.open());
+        this.choose();
+        this.open();
     }
 
-    // One picture: its bytes and the milliseconds that it took.
-    async render(samples, sampling, seed) {
-        const start = performance.now();
-        const { pixels } = await live.ask(`render ${this.scene.value}`, [...live.Measure.size, samples, sampling, seed, 6, 0, 0, 0, 1]);
-        return [pixels, performance.now() - start];
+    // The scene of the editor's link.
+    open() {
+        if (location.hash.startsWith('#scene=')) {
+            this.subject.value = 'file';
+            this.choose();
+            this.root.scrollIntoView();
+        }
     }
 
-    // Measures each sampling at these numbers of samples; draws after each.
-    async run(counts, reference) {
-        this.curves = live.Measure.samplings.map(([sampling, name, kind]) => ({ sampling, name, kind, points: [] }));
-        this.status.value = 'rendering the reference …';
-        const [exact] = await this.render(reference, 3, 1);
-        // The samplings take turns, so that other work of the machine disturbs them alike.
-        for (const count of counts) {
-            for (const { sampling, name, points } of this.curves) {
-                this.status.value = `${name}, ${count} samples per pixel …`;
-                const [pixels, time] = await this.render(count, sampling, 0);
-                points.push([time, live.Measure.error(pixels, exact)]);
-                this.draw(this.curves);
+    // A subject has its methods, its question and its recorded curves.
+    choose() {
+        this.end();
+        const { value } = this.subject;
+        this.points = [];
+        const names = value.startsWith('samples-') ? live.Measure.pixels : live.Measure.pictures;
+        this.methods.replaceChildren(...names.map((name) => live.element('label', {},
+            live.element('input', { type: 'checkbox', checked: true, value: name, onchange: () => this.draw() }), live.WorkPrecision.key(name), name)));
+        const [, , recorded] = live.Measure.subjects.find(([name]) => name === value);
+        this.recorded = (live.recorded[recorded] ?? []).map(([method, parameter, error, seconds]) => ({ method, parameter, error, seconds }));
+        this.ask(names);
+        this.verdict.value = '';
+        this.slopes.textContent = '';
+        this.shown.hidden = true;
+        this.status.value = '';
+        const [, scene] = location.hash.split('#scene=');
+        if (value === 'file' && !scene) {
+            this.status.replaceChildren('Write a scene in ', live.element('a', { href: 'scene-editor.html' }, 'the editor'), ', and follow its link “how many samples does it need?”.');
+        }
+        this.name = value === 'file' ? scene && `file\n${decodeURIComponent(scene)}` : value;
+        this.start.disabled = true;
+        this.draw();
+    }
+
+    // A guess first.
+    ask(names) {
+        this.guess = undefined;
+        const buttons = names.map((name) => live.button(name, () => {
+            this.guess = name;
+            buttons.forEach((button) => button.classList.toggle('live-chosen', button.textContent === name));
+            this.start.disabled = !this.name;
+        }));
+        this.question.replaceChildren('Your guess: which of them comes down to an error of 1/510, half a grey level, soonest on your machine? ', ...buttons);
+    }
+
+    chosen() {
+        return [...this.methods.querySelectorAll('input:checked')].map(({ value }) => value);
+    }
+
+    async run() {
+        const methods = this.chosen();
+        if (!methods.length) {
+            this.status.value = 'choose a method';
+            return;
+        }
+        this.end();
+        this.points = [];
+        this.shown.hidden = true;
+        this.root.dataset.state = 'measuring';
+        [this.halt.disabled, this.start.disabled, this.bar.hidden] = [false, true, false];
+        this.bar.removeAttribute('value');
+        this.status.value = 'starting …';
+        const run = (this.running = { began: performance.now() });
+        // A worker of its own, so that other pictures of the page do not wait.
+        this.post = await live.start();
+        if (run !== this.running) {
+            return;
+        }
+        const request = (words, numbers = []) => this.post({ request: `measure ${words}`, numbers });
+        this.tick = await this.post({ tick: true });
+        // So long a time is known to 4 %: it is off by one step of the clock at each end.
+        this.least = Math.max(1, 50 * this.tick);
+        try {
+            let answer = await request(`begin ${methods}|${this.name}`, [this.least / 1000]);
+            while (run === this.running && !answer.prepared[0]) {
+                answer = await request('prepare');
+                this.progress(answer, 'errors');
             }
-        }
-        this.status.value = 'measured';
-    }
-
-    // Root mean square over red, green and blue, for channels from 0 to 1.
-    static error(pixels, exact) {
-        let squares = 0;
-        pixels.forEach((byte, i) => (squares += (byte - exact[i]) ** 2));
-        // Opacity, each fourth byte, is the same in both.
-        return Math.sqrt(squares / (pixels.length * 0.75)) / 255;
-    }
-
-    draw(curves) {
-        const { x, y } = live.Measure.area;
-        const pen = new live.Pen(live.Measure.area);
-        for (let power = 0; power <= 3; power += 1) {
-            pen.line([power, y[0]], [power, y[1]], 'thin');
-            pen.text([power, y[0]], `${10 ** power} ms`);
-        }
-        for (let power = -3; power <= -1; power += 1) {
-            pen.line([x[0], power], [x[1], power], 'thin');
-            pen.text([x[0], power], `${10 ** power}`);
-        }
-        pen.line([x[0], Math.log10(1 / 510)], [x[1], Math.log10(1 / 510)], 'ink');
-        curves.forEach(({ name, kind, points }, index) => {
-            const logs = points.map(([time, error]) => [Math.log10(Math.max(time, 0.4)), Math.log10(Math.max(error, 5e-4))]);
-            logs.forEach((place) => pen.dot(place, kind));
-            if (logs.length > 1) {
-                pen.path(logs, kind);
+            while (run === this.running && !answer.measured[0]) {
+                const { milliseconds } = await request('run');
+                answer = await request('took', [milliseconds / 1000]);
+                this.take(answer);
+                this.progress(answer, 'times');
             }
-            pen.text([2.4, -0.75 - 0.2 * index], name, kind);
+            this.rest(run, `measured in ${live.time((performance.now() - run.began) / 1000)}, ${this.rounds} rounds`);
+        } catch (error) {
+            this.rest(run, error.message);
+        }
+    }
+
+    progress({ work: [done, all] }, what) {
+        const seconds = ((performance.now() - this.running.began) / 1000) * (all / done - 1);
+        this.bar.value = done / all;
+        this.status.value = `measuring ${what}; still ${Math.ceil(seconds)} s`;
+    }
+
+    // Stops at once while errors are computed, of which nothing is shown; then at the end of this turn, so that the
+    // module can show the pictures of the points.
+    stop() {
+        const run = this.running;
+        if (this.points.length === 0) {
+            this.end();
+        }
+        this.rest(run, `stopped after ${this.rounds ?? 0} rounds`);
+    }
+
+    // Nothing is measured any longer.
+    rest(run, words) {
+        if (run && run === this.running) {
+            this.running = undefined;
+            this.status.value = words;
+            this.bar.hidden = true;
+            this.root.dataset.state = 'measured';
+            [this.halt.disabled, this.start.disabled] = [true, false];
+        }
+    }
+
+    end() {
+        this.running = undefined;
+        this.post?.stop('stopped');
+        this.post = undefined;
+        this.bar.hidden = true;
+        this.halt.disabled = true;
+        this.rounds = 0;
+        this.root.dataset.state = 'recorded';
+    }
+
+    // The points that have a time.
+    take(answer) {
+        const lines = answer.text.split('\n').map((line) => line.split('\t'));
+        const counts = {};
+        this.points = answer.curve.map((curve, i) => {
+            const index = (counts[curve] = (counts[curve] ?? -1) + 1);
+            const [method] = lines[curve];
+            const point = { curve, index, method, front: answer.front[i] === 1 };
+            const [parameter, error, seconds] = ['parameter', 'error', 'seconds'].map((name) => answer[name][i]);
+            Object.assign(point, { parameter, error, seconds, work: answer.work[i],
+                errorLow: answer.error_low[i], errorHigh: answer.error_high[i],
+                secondsLow: answer.seconds_low[i], secondsHigh: answer.seconds_high[i] });
+            point.words = `${method}, ${live.digits(parameter)} samples per pixel: error ${live.digits(error)} (${live.digits(point.errorLow)} to ${live.digits(point.errorHigh)}), `
+                + `${live.time(seconds)} (${live.time(point.secondsLow)} to ${live.time(point.secondsHigh)})${point.front ? '; on the Pareto front' : ''}`;
+            return point;
+        }).filter(({ seconds }) => seconds > 0);
+        [this.rounds] = answer.rounds;
+        this.isTooShort = answer.too_short[0] === 1;
+        this.slopes.textContent = lines.filter(([, slope]) => slope).map(([method, slope]) => `${method}: ${slope}`).join('; ');
+        this.draw();
+    }
+
+    draw() {
+        const chosen = this.chosen();
+        const drawn = (list) => list.filter(({ method }) => chosen.includes(method));
+        this.diagram.draw(drawn(this.recorded), drawn(this.points));
+    }
+
+    // Which method reaches an error soonest, with how many samples, and how sure that is.
+    async answer(error) {
+        if (!this.post || !this.points.length) {
+            this.verdict.value = `The error you want: ${live.digits(error)}. Which method reaches it soonest on this machine is not measured.`;
+            return;
+        }
+        const reach = await this.post({ request: 'measure soonest', numbers: [error] });
+        const names = this.points.reduce((names, { curve, method }) => ({ ...names, [curve]: method }), {});
+        const costs = reach.curve.map((curve, i) => {
+            const [low, high] = [reach.seconds_low[i], reach.seconds_high[i]].map((end) => (end === Infinity ? 'unknown' : live.time(end)));
+            return `${names[curve]} with ${live.digits(reach.parameter[i])} samples per pixel in ${live.time(reach.seconds[i])} (${low} to ${high})`;
         });
-        this.svg.innerHTML = pen.shapes.join('');
+        this.verdict.value = `An error of ${live.digits(error)}: ${this.winners(costs, reach, names)}${this.doubts()}`;
+    }
+
+    winners(costs, { curve, ties: [ties] }, names) {
+        if (!costs.length) {
+            return 'no measured method reaches it.';
+        }
+        const soonest = curve.slice(0, ties).map((index) => names[index]);
+        const verdict = soonest.includes(this.guess) ? 'as you guessed' : `you guessed ${this.guess}`;
+        const sure = ties === 1
+            ? `${soonest[0]} is soonest (${verdict}): its interval of 95 % lies apart from the others.`
+            : `${soonest.join(' or ')} (${verdict}): their times differ by less than a factor of 1.2, or than their intervals.`;
+        const others = [...new Set(Object.values(names))].filter((name) => !curve.some((index) => names[index] === name));
+        return `${sure} ${costs.join('; ')}.${others.length ? ` Not reached by ${others.join(', ')}.` : ''}`;
+    }
+
+    // What makes the times less sure.
+    doubts() {
+        const doubts = [];
+        if (this.rounds < 6) {
+            doubts.push(` After ${this.rounds} rounds: an interval of 95 % takes six.`);
+        }
+        if (this.isTooShort) {
+            doubts.push(` The clock of this browser has steps of ${live.digits(this.tick)} ms, too coarse for the shortest runs.`);
+        } else if (this.tick >= 1) {
+            doubts.push(` The clock of this browser has steps of ${live.digits(this.tick)} ms, so each run is repeated for ${live.digits(this.least)} ms.`);
+        }
+        return doubts.join('');
+    }
+
+    // The picture of a point, and its error.
+    async show(point) {
+        const post = this.post;
+        if (!post) {
+            return;
+        }
+        const answer = await post({ request: 'measure picture', numbers: [point.curve, point.index] });
+        this.shown.hidden = false;
+        live.paint(this.canvas, answer);
+        this.caption.textContent = `${point.words}. At the right its error, ${answer.factor[0]} times: grey is right, lighter too bright, darker too dark.`;
     }
 };
 
-live.measure = live.tool('the-slope', (heading) => new live.Measure(heading));
+live.measure = live.tool('one-example', (heading) => new live.Measure(heading));

@@ -9,6 +9,7 @@
 //! | `{{recorded error a04.sphere-far.stable-ours@512}}` | the root mean square error, or the fraction of wrong answers |
 //! | `{{recorded slope a04.sphere-far.stable-ours}}` | the slope of the curve, or `no power law` |
 //! | `{{recorded where}}` | machine, build, commit and date |
+//! | `{{recorded elsewhere}}` | the same of the recording that it is compared with |
 //!
 //! Behind `±` stands half of the interval of 95 %. One of the two methods of a quotient is the first one of its
 //! experiment, with which the others took turns. Where another recording has another sign, both are printed.
@@ -37,7 +38,7 @@ pub struct Recording<'t> {
     columns: &'t str,
     rows: Vec<Row<'t>>,
     /// Points of another recording, whose quotients have another sign.
-    elsewhere: Vec<Row<'t>>,
+    elsewhere: Option<Box<Self>>,
 }
 
 impl<'t> Recording<'t> {
@@ -63,7 +64,7 @@ impl<'t> Recording<'t> {
     /// With the points of another recording whose quotients have another sign, the `elsewhere` of a
     /// [`Comparison`].
     pub fn with_elsewhere(mut self, text: &'t str) -> Result<Self, String> {
-        self.elsewhere = Self::parse(text)?.rows;
+        self.elsewhere = Some(Box::new(Self::parse(text)?));
         Ok(self)
     }
 
@@ -88,6 +89,7 @@ impl<'t> Recording<'t> {
     pub fn figure(&self, anchor: &str) -> Result<String, String> {
         let figure = match anchor.split_once(' ') {
             None if anchor == "where" => Some(self.place()),
+            None if anchor == "elsewhere" => self.elsewhere.as_deref().map(Self::place),
             None => None,
             Some((quantity, name)) => self.quantity(quantity, name),
         };
@@ -130,7 +132,8 @@ impl<'t> Recording<'t> {
         for own in self.points(name, own).into_iter().rev() {
             for other in &others {
                 if other.parameter == own.parameter {
-                    let elsewhere = quotient(&self.elsewhere, own, other);
+                    let elsewhere = self.elsewhere.as_ref();
+                    let elsewhere = elsewhere.and_then(|there| quotient(&there.rows, own, other));
                     return Some((quotient(&self.rows, own, other)?, elsewhere));
                 }
             }

@@ -84,7 +84,8 @@ impl Rounds {
     }
 
     /// Takes the time of the runs of this turn, in seconds. The first runs fill caches, and say how many
-    /// take long enough: the turn comes again.
+    /// take long enough: the turn comes again. Later ones may say so, too, where a browser goes on to
+    /// optimise: no time is left out because it is short.
     pub fn took(&mut self, seconds: f64) {
         let Some(Turn { curve, point, runs }) = self.turn() else {
             return;
@@ -93,14 +94,13 @@ impl Rounds {
         let times = &mut self.times[curve][point];
         let is_first = times.runs == 0;
         let is_short = seconds < self.least_time && f64::from(runs) < MOST_RUNS;
+        times.is_too_short = seconds < self.least_time / 2.0;
+        // A clock that does not see a run sees a hundred of them, or ten thousand.
+        let factor = (1.2 * self.least_time / seconds).clamp(1.0, 100.0);
+        times.runs = libm::ceil((f64::from(runs) * factor).min(MOST_RUNS)) as u32;
         if times.seconds.is_empty() && (is_first || is_short) {
-            // A clock that does not see a run sees a hundred of them, or ten thousand. No factor of
-            // the first time is taken for granted: caches may have been empty.
-            let factor = (1.2 * self.least_time / seconds).clamp(1.0, 100.0);
-            times.runs = libm::ceil((f64::from(runs) * factor).min(MOST_RUNS)) as u32;
             return;
         }
-        times.is_too_short |= seconds < self.least_time / 2.0;
         times.seconds.push(seconds / f64::from(runs));
         self.done += 1;
     }

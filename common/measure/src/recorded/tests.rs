@@ -80,6 +80,7 @@ fn figures_that_turn_elsewhere_are_no_facts() {
             "times a00.far.third/plain-ours",
             "as long, within 11 % here, and 1.50 ± 0.05 times as long elsewhere",
         ),
+        ("elsewhere", "slide rule; 123abc; 2026-11-26"),
     ] {
         assert_eq!(turned.figure(anchor).unwrap(), expected);
     }
