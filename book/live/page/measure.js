@@ -20,7 +20,7 @@ live.Measure = class {
         this.halt = live.button('stop', () => this.stop());
         this.bar = live.element('progress', { max: 1, hidden: true, 'aria-label': 'measured' });
         this.status = live.element('output');
-        this.verdict = live.element('output', { className: 'live-verdict' });
+        this.verdict = live.element('div', { className: 'live-verdict', role: 'status' });
         this.slopes = live.element('p', { className: 'live-status' });
         this.shown = live.element('figure', { className: 'live-shown', hidden: true });
         this.canvas = live.element('canvas', { role: 'img', 'aria-label': 'the picture of the point, and its error enlarged' });
@@ -28,7 +28,7 @@ live.Measure = class {
         this.shown.append(this.canvas, this.caption);
         this.diagram = new live.WorkPrecision(
             live.newest((point) => this.show(point), live.complain(this.caption)),
-            live.newest((error) => this.answer(error), live.complain(this.verdict)));
+            live.newest((error) => this.answer(error), ({ message }) => this.say(message)));
         const hint = 'Farther left is faster, farther down is more exact. Thin: recorded on another machine. A bar is an interval of 95 %; large marks are on the Pareto front. '
             + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
         this.root = live.panel('Which method reaches your error soonest, here?', hint,
@@ -63,7 +63,7 @@ live.Measure = class {
         const [, , recorded] = live.Measure.subjects.find(([name]) => name === value);
         this.recorded = (live.recorded[recorded] ?? []).map(([method, parameter, error, seconds]) => ({ method, parameter, error, seconds }));
         this.ask(names);
-        this.verdict.value = '';
+        this.say('');
         this.slopes.textContent = '';
         this.shown.hidden = true;
         this.status.value = '';
@@ -106,29 +106,39 @@ live.Measure = class {
         this.status.value = 'starting …';
         const run = (this.running = { began: performance.now() });
         // A worker of its own, so that other pictures of the page do not wait.
-        this.post = await live.start();
+        const post = await live.start();
         if (run !== this.running) {
+            post.stop('stopped');
             return;
         }
-        const request = (words, numbers = []) => this.post({ request: `measure ${words}`, numbers });
-        this.tick = await this.post({ tick: true });
+        this.post = post;
+        const request = async (words, numbers = []) => {
+            const answer = await post({ request: `measure ${words}`, numbers });
+            if (run !== this.running) {
+                throw new Error('stopped');
+            }
+            return answer;
+        };
+        this.tick = await post({ tick: true });
         // So long a time is known to 4 %: it is off by one step of the clock at each end.
         this.least = Math.max(1, 50 * this.tick);
         try {
             let answer = await request(`begin ${methods}|${this.name}`, [this.least / 1000]);
-            while (run === this.running && !answer.prepared[0]) {
+            while (!answer.prepared[0]) {
                 answer = await request('prepare');
                 this.progress(answer, 'errors');
             }
-            while (run === this.running && !answer.measured[0]) {
+            while (!answer.measured[0]) {
                 const { milliseconds } = await request('run');
                 answer = await request('took', [milliseconds / 1000]);
                 this.take(answer);
                 this.progress(answer, 'times');
             }
-            this.rest(run, `measured in ${live.time((performance.now() - run.began) / 1000)}, ${this.rounds} rounds`);
+            this.rest(`measured in ${live.time((performance.now() - run.began) / 1000)}, ${this.rounds} rounds`);
         } catch (error) {
-            this.rest(run, error.message);
+            if (run === this.running) {
+                this.rest(error.message);
+            }
         }
     }
 
@@ -141,22 +151,19 @@ live.Measure = class {
     // Stops at once while errors are computed, of which nothing is shown; then at the end of this turn, so that the
     // module can show the pictures of the points.
     stop() {
-        const run = this.running;
         if (this.points.length === 0) {
             this.end();
         }
-        this.rest(run, `stopped after ${this.rounds ?? 0} rounds`);
+        this.rest(`stopped after ${live.count(this.rounds, 'round')}`);
     }
 
     // Nothing is measured any longer.
-    rest(run, words) {
-        if (run && run === this.running) {
-            this.running = undefined;
-            this.status.value = words;
-            this.bar.hidden = true;
-            this.root.dataset.state = 'measured';
-            [this.halt.disabled, this.start.disabled] = [true, false];
-        }
+    rest(words) {
+        this.running = undefined;
+        this.status.value = words;
+        this.bar.hidden = true;
+        this.root.dataset.state = 'measured';
+        [this.halt.disabled, this.start.disabled] = [true, false];
     }
 
     end() {
@@ -181,7 +188,7 @@ live.Measure = class {
             Object.assign(point, { parameter, error, seconds, work: answer.work[i],
                 errorLow: answer.error_low[i], errorHigh: answer.error_high[i],
                 secondsLow: answer.seconds_low[i], secondsHigh: answer.seconds_high[i] });
-            point.words = `${method}, ${live.digits(parameter)} samples per pixel: error ${live.digits(error)} (${live.digits(point.errorLow)} to ${live.digits(point.errorHigh)}), `
+            point.words = `${method}, ${live.count(parameter, 'sample')} per pixel: error ${live.digits(error)} (${live.digits(point.errorLow)} to ${live.digits(point.errorHigh)}), `
                 + `${live.time(seconds)} (${live.time(point.secondsLow)} to ${live.time(point.secondsHigh)})${point.front ? '; on the Pareto front' : ''}`;
             return point;
         }).filter(({ seconds }) => seconds > 0);
@@ -200,43 +207,41 @@ live.Measure = class {
     // Which method reaches an error soonest, with how many samples, and how sure that is.
     async answer(error) {
         if (!this.post || !this.points.length) {
-            this.verdict.value = `The error you want: ${live.digits(error)}. Which method reaches it soonest on this machine is not measured.`;
-            return;
+            return this.say(`Which method reaches an error of ${live.digits(error)} soonest on this machine? That is not measured.`);
         }
-        const reach = await this.post({ request: 'measure soonest', numbers: [error] });
-        const names = this.points.reduce((names, { curve, method }) => ({ ...names, [curve]: method }), {});
-        const costs = reach.curve.map((curve, i) => {
+        const { curve, ties: [ties], ...reach } = await this.post({ request: 'measure soonest', numbers: [error] });
+        const names = new Map(this.points.map((point) => [point.curve, point.method]));
+        const costs = curve.map((index, i) => {
             const [low, high] = [reach.seconds_low[i], reach.seconds_high[i]].map((end) => (end === Infinity ? 'unknown' : live.time(end)));
-            return `${names[curve]} with ${live.digits(reach.parameter[i])} samples per pixel in ${live.time(reach.seconds[i])} (${low} to ${high})`;
+            return `${names.get(index)}: ${live.count(reach.parameter[i], 'sample')} per pixel, ${live.time(reach.seconds[i])} (${low} to ${high})`;
         });
-        this.verdict.value = `An error of ${live.digits(error)}: ${this.winners(costs, reach, names)}${this.doubts()}`;
+        const soonest = curve.slice(0, ties).map((index) => names.get(index));
+        const verdict = soonest.includes(this.guess) ? 'as you guessed' : `you guessed ${this.guess}`;
+        const others = [...names].filter(([index]) => !curve.includes(index)).map(([, name]) => name);
+        const sure = {
+            0: 'no measured method reaches it.',
+            1: `${soonest[0]} is soonest (${verdict}): its interval of 95 % lies apart from the others.`,
+        }[ties] ?? `${soonest.join(' or ')} (${verdict}): their times differ by less than a factor of 1.2, or than their intervals.`;
+        return this.say(`An error of ${live.digits(error)}: ${sure}`, costs, [...(others.length ? [`Not reached by ${others.join(', ')}.`] : []), ...this.doubts()].join(' '));
     }
 
-    winners(costs, { curve, ties: [ties] }, names) {
-        if (!costs.length) {
-            return 'no measured method reaches it.';
-        }
-        const soonest = curve.slice(0, ties).map((index) => names[index]);
-        const verdict = soonest.includes(this.guess) ? 'as you guessed' : `you guessed ${this.guess}`;
-        const sure = ties === 1
-            ? `${soonest[0]} is soonest (${verdict}): its interval of 95 % lies apart from the others.`
-            : `${soonest.join(' or ')} (${verdict}): their times differ by less than a factor of 1.2, or than their intervals.`;
-        const others = [...new Set(Object.values(names))].filter((name) => !curve.some((index) => names[index] === name));
-        return `${sure} ${costs.join('; ')}.${others.length ? ` Not reached by ${others.join(', ')}.` : ''}`;
+    // A verdict, what the methods cost, and what is left to say.
+    say(verdict, costs = [], rest = '') {
+        this.verdict.replaceChildren(live.element('strong', {}, verdict), live.element('ul', {}, ...costs.map((cost) => live.element('li', {}, cost))), rest);
     }
 
     // What makes the times less sure.
     doubts() {
         const doubts = [];
         if (this.rounds < 6) {
-            doubts.push(` After ${this.rounds} rounds: an interval of 95 % takes six.`);
+            doubts.push(`After ${live.count(this.rounds, 'round')}: an interval of 95 % takes six.`);
         }
         if (this.isTooShort) {
-            doubts.push(` The clock of this browser has steps of ${live.digits(this.tick)} ms, too coarse for the shortest runs.`);
+            doubts.push(`The clock of this browser has steps of ${live.digits(this.tick)} ms, too coarse for the shortest runs.`);
         } else if (this.tick >= 1) {
-            doubts.push(` The clock of this browser has steps of ${live.digits(this.tick)} ms, so each run is repeated for ${live.digits(this.least)} ms.`);
+            doubts.push(`The clock of this browser has steps of ${live.digits(this.tick)} ms, so each run is repeated for ${live.digits(this.least)} ms.`);
         }
-        return doubts.join('');
+        return doubts;
     }
 
     // The picture of a point, and its error.

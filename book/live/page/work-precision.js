@@ -19,12 +19,13 @@ live.WorkPrecision = class {
         this.drawn = live.svg('g', {});
         this.points = live.svg('g', { class: 'live-points' });
         this.line = live.svg('line', { class: 'live-wish' });
+        this.words = live.svg('text', { 'text-anchor': 'end' });
         this.handle = live.svg('circle', {
             r: 12, class: 'live-handle', tabindex: 0, role: 'slider', 'aria-orientation': 'vertical',
             'aria-label': 'the error I want: arrow keys, with Shift in larger steps',
         });
         this.svg = live.svg('svg', { role: 'group', 'aria-label': 'error against time' });
-        this.svg.append(this.drawn, this.line, this.points, this.handle);
+        this.svg.append(this.drawn, this.line, this.points, this.words, this.handle);
         live.drag(this.handle, (event) => {
             const box = this.svg.getBoundingClientRect();
             this.want(this.pen.from([0, (event.clientY - box.top) * (live.Pen.width / box.width)])[1]);
@@ -37,11 +38,12 @@ live.WorkPrecision = class {
         const [low, high] = this.area.y;
         this.wanted = Math.min(Math.max(power, low), high);
         const y = this.pen.to([0, this.wanted])[1];
-        const ends = { x1: 0, x2: live.Pen.width, y1: y, y2: y };
-        Object.entries(ends).forEach(([name, value]) => this.line.setAttribute(name, value));
         const error = 10 ** this.wanted;
-        const numbers = { cx: live.Pen.width - 26, cy: y, 'aria-valuemin': 10 ** low, 'aria-valuemax': 10 ** high, 'aria-valuenow': error, 'aria-valuetext': live.digits(error) };
-        Object.entries(numbers).forEach(([name, value]) => this.handle.setAttribute(name, value));
+        const set = (shape, attributes) => Object.entries(attributes).forEach(([name, value]) => shape.setAttribute(name, value));
+        set(this.line, { x1: 0, x2: live.Pen.width, y1: y, y2: y });
+        set(this.words, { x: live.Pen.width - 46, y: y - 5 });
+        this.words.textContent = `I want ${live.digits(error)}`;
+        set(this.handle, { cx: live.Pen.width - 26, cy: y, 'aria-valuemin': 10 ** low, 'aria-valuemax': 10 ** high, 'aria-valuenow': error, 'aria-valuetext': live.digits(error) });
         this.wish(error);
     }
 
@@ -95,11 +97,13 @@ live.WorkPrecision = class {
         const { pen, area: { x, y } } = this;
         for (let power = Math.ceil(x[0]); power <= x[1]; power += 1) {
             pen.line([power, y[0]], [power, y[1]], 'grid');
-            pen.text([power, y[0]], live.time(10 ** power), 'axis');
+            if (power < x[1] - 0.4) {
+                pen.text([power, y[0]], live.time(10 ** power), 'axis');
+            }
         }
         for (let power = Math.ceil(y[0]); power <= y[1]; power += 1) {
             pen.line([x[0], power], [x[1], power], 'grid');
-            pen.text([x[0], power], `${10 ** power}`, 'axis');
+            pen.text([x[0], power], `error ${10 ** power}`, 'axis');
         }
     }
 
@@ -130,8 +134,9 @@ live.WorkPrecision = class {
     }
 };
 
-// Two digits, and a time in its unit.
+// Two digits, a number of things, and a time in its unit.
 live.digits = (number) => String(Number(number.toPrecision(2)));
+live.count = (number, thing) => `${live.digits(number)} ${thing}${number === 1 ? '' : 's'}`;
 live.time = (seconds) => {
     const [unit, size] = [['s', 1], ['ms', 1e-3], ['µs', 1e-6], ['ns', 1e-9]].find(([, size]) => seconds >= 0.9995 * size) ?? ['ns', 1e-9];
     return `${live.digits(seconds / size)} ${unit}`;

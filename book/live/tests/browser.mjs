@@ -12,6 +12,7 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { Chromium } from './chromium.mjs';
+import { tryMeasure } from './measure.mjs';
 
 const [program, answers, screenshots] = process.argv.slice(2);
 const top = new URL('../../../', import.meta.url);
@@ -294,10 +295,8 @@ async function tryTools() {
     }
     await chromium.value(`live.extremes.stage.value = 'a04-intersections'; live.extremes.run().then(() => 0)`);
     await shot('extremes', 'live.extremes.rows.closest("figure")');
-    await open('error-and-run-time.html');
-    const curves = await chromium.value(`live.measure.run([1, 4, 16], 64).then(() => live.measure.curves.map(({ points }) => points.map(([, error]) => error)))`);
-    expect(curves.length === 3 && curves.every(([one, four, sixteen]) => one > four && four > sixteen && sixteen > 0), `errors do not fall with samples: ${JSON.stringify(curves)}`);
-    await shot('measure', 'live.measure.svg.closest("figure")');
+    const stage = new URL('../a03-rays-cameras', pathToFileURL(resolve(answers))).pathname;
+    await tryMeasure({ chromium, expect, open, shot, run, stage });
 }
 
 // Five settings of a figure: as it opens, and spread over the ranges of its sliders.

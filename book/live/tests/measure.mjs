@@ -1,0 +1,93 @@
+// Error against run time in the browser, by keyboard alone: guessed, measured, stopped and measured again. Errors,
+// their intervals and the work are those that the reports of stage 3 write into their CSV files.
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const settings = [
+    ['samples-curved-edge', ['samples-curved-edge']],
+    ['samples-level-edge', ['samples-level-edge']],
+    ['a03-rays-cameras-striped-sky', ['scene', 'striped-sky']],
+];
+
+// The rows that a report writes, by method and parameter.
+async function reported(run, stage, names) {
+    const folder = mkdtempSync(join(tmpdir(), 'report-'));
+    await run(stage, ['report', ...names, '--output', folder]);
+    const rows = {};
+    for (const line of readFileSync(join(folder, `a03-rays-cameras-${names.at(-1)}.csv`), 'utf8').split('\n')) {
+        const [, method, place, , numbers] = line.split('"');
+        if (method) {
+            const [, parameter, work] = place.split(',');
+            const [, error, low, high] = numbers.split(',').map(Number);
+            rows[`${method} ${parameter}`] = { work: Number(work), error, low, high };
+        }
+    }
+    rmSync(folder, { recursive: true });
+    return rows;
+}
+
+export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
+    const page = 'error-and-run-time.html';
+    await open(page);
+    const figure = 'live.measure';
+    const value = (words) => chromium.value(`${figure}.${words}`);
+    const press = async (element, key = 'Enter', text = '\r', windowsVirtualKeyCode = 13) => {
+        await value(`${element}.focus()`);
+        await chromium.send('Input.dispatchKeyEvent', { type: 'keyDown', key, text, windowsVirtualKeyCode });
+        await chromium.send('Input.dispatchKeyEvent', { type: 'keyUp', key, windowsVirtualKeyCode });
+    };
+    expect(await value(`root.querySelectorAll('.recorded').length === 4 && ${figure}.start.disabled`), `${page}: no recorded curves, or no guess before a measurement`);
+    await shot('measure-recorded', `${figure}.root`);
+    for (const [subject, names] of settings) {
+        await value(`subject.value = '${subject}'; ${figure}.choose()`);
+        await press(`question.querySelector('button')`);
+        await press('start');
+        // Stopped at once, and started again.
+        await chromium.until(`${figure}.root.dataset.state === 'measuring'`);
+        await press('halt');
+        expect((await value('root.dataset.state')) !== 'measuring', `${subject}: is not stopped`);
+        await press('start');
+        await chromium.until(`${figure}.rounds > 0`);
+        await press('halt');
+        const rows = await reported(run, stage, names);
+        const points = await value('points');
+        const compared = points.filter(({ method }) => method !== 'one in the middle');
+        expect(compared.length === Object.keys(rows).length, `${subject}: measures ${compared.length} points`);
+        for (const { method, parameter, work, error, errorLow, errorHigh } of compared) {
+            const row = rows[`${method} ${parameter}`];
+            const [low, high] = [errorLow, errorHigh].map((end) => Number(end.toExponential(3)));
+            expect(row && work === row.work && error === row.error && low === row.low && high === row.high,
+                `${subject}, ${method} at ${parameter}: ${[work, error, low, high]}, the report says ${JSON.stringify(row)}`);
+        }
+        const middle = points.find(({ method }) => method === 'one in the middle');
+        expect(middle.error === rows['regular 1'].error, `${subject}: one sample in the middle errs by ${middle.error}`);
+        expect(points.every(({ seconds, secondsLow, secondsHigh }) => secondsLow <= seconds && seconds <= secondsHigh && seconds > 0), `${subject}: times lie outside of their intervals`);
+        // The line, and a point with its picture.
+        const verdict = () => value('verdict.textContent');
+        await chromium.until(`/^An error of 0.002\\d*: /.test(${figure}.verdict.textContent)`);
+        const before = await verdict();
+        await value('diagram.handle.focus()');
+        await chromium.key('ArrowUp');
+        await chromium.until(`${figure}.verdict.textContent !== ${JSON.stringify(before)}`);
+        expect(/samples per pixel, .* rounds?: an interval of 95 % takes six/.test(await verdict()), `${subject}: says ${await verdict()}`);
+        await value(`diagram.points.querySelector('[tabindex="0"]').focus()`);
+        await chromium.key('ArrowRight');
+        await chromium.until(`!${figure}.shown.hidden && ${figure}.caption.textContent.startsWith(document.activeElement.getAttribute('aria-label'))`);
+    }
+    await shot('measure', `${figure}.root`);
+
+    // A scene of the editor's, whose link does not break off a measurement of another.
+    await chromium.value(`location.hash = '#scene=' + encodeURIComponent('[camera]\\neye = [0, 0, 5]\\n[[light]]\\nkind = "sun"')`);
+    await chromium.until(`${figure}.subject.value === 'file'`);
+    await press(`question.querySelector('button')`);
+    await press('start');
+    await chromium.until(`${figure}.root.dataset.state === 'measured'`);
+    expect((await value('status.value')).length > 0, 'a wrong scene has no message');
+    await chromium.resize(390, 844);
+    await open(page);
+    const wide = await value('root.scrollWidth - ' + `${figure}.root.clientWidth`);
+    expect(wide <= 0, `${page}: the figure is ${wide} pixels too wide on a phone`);
+    await shot('measure-phone', `${figure}.root`);
+    await chromium.resize(1280, 900);
+}
