@@ -1,7 +1,7 @@
 // Error against run time: a work-precision diagram that the page measures, by the code of the reports.
 live.Measure = class {
-    static pixels = ['one in the middle', 'regular', 'random', 'stratified', 'n rooks', 'R2'];
-    static pictures = ['one in the middle', 'regular', 'random', 'stratified', 'adaptive'];
+    static pixels = ['one in the middle', 'random', 'regular', 'stratified', 'n rooks', 'R2'];
+    static pictures = ['one in the middle', 'random', 'regular', 'stratified', 'adaptive'];
     // What is measured: its name in the module, its name for the reader, and the recorded experiment.
     static subjects = [
         ['a05-lighting-phong', 'phong, a picture', 'a05.phong'],
@@ -27,7 +27,7 @@ live.Measure = class {
         this.caption = live.element('figcaption');
         this.shown.append(this.canvas, this.caption);
         this.diagram = new live.WorkPrecision(
-            live.newest((point) => this.show(point), live.complain(this.caption)),
+            live.newest((point) => this.show(point), ({ message }) => (this.caption.textContent = message)),
             live.newest((error) => this.answer(error), ({ message }) => this.say(message)));
         const hint = 'Farther left is faster, farther down is more exact. Thin: recorded on another machine. A bar is an interval of 95 %; large marks are on the Pareto front. '
             + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
@@ -142,10 +142,10 @@ live.Measure = class {
         }
     }
 
-    progress({ work: [done, all] }, what) {
+    progress({ progress: [done, all] }, what) {
         const seconds = ((performance.now() - this.running.began) / 1000) * (all / done - 1);
         this.bar.value = done / all;
-        this.status.value = `measuring ${what}; still ${Math.ceil(seconds)} s`;
+        this.status.value = `measuring ${what}: ${Math.ceil(seconds)} s left`;
     }
 
     // Stops at once while errors are computed, of which nothing is shown; then at the end of this turn, so that the
@@ -207,7 +207,7 @@ live.Measure = class {
     // Which method reaches an error soonest, with how many samples, and how sure that is.
     async answer(error) {
         if (!this.post || !this.points.length) {
-            return this.say(`Which method reaches an error of ${live.digits(error)} soonest on this machine? That is not measured.`);
+            return this.say(`Which method reaches an error of ${live.digits(error)} soonest on this machine? Guess above, and measure.`);
         }
         const { curve, ties: [ties], ...reach } = await this.post({ request: 'measure soonest', numbers: [error] });
         const names = new Map(this.points.map((point) => [point.curve, point.method]));

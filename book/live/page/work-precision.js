@@ -2,8 +2,9 @@
 // keyboard, and a line of an error to drag.
 live.WorkPrecision = class {
     // Each method has its colour and its mark, everywhere on the page.
-    static methods = ['one in the middle', 'regular', 'random', 'stratified', 'adaptive', 'n rooks', 'R2'];
-    static marks = ['M-5 0H5M0-5V5', 'M-4-4H4V4H-4Z', 'M0-5L5 4H-5Z', 'M0-5L5 0L0 5L-5 0Z', 'M-4 0A4 4 0 1 0 4 0A4 4 0 1 0-4 0Z', 'M-4-4L4 4M-4 4L4-4', 'M0 5L5-4H-5Z'];
+    // As in the recorded diagrams: random is blue and a circle.
+    static methods = ['one in the middle', 'random', 'regular', 'stratified', 'adaptive', 'n rooks', 'R2'];
+    static marks = ['M-5 0H5M0-5V5', 'M-4 0A4 4 0 1 0 4 0A4 4 0 1 0-4 0Z', 'M-4-4H4V4H-4Z', 'M0-5L5 4H-5Z', 'M0-5L5 0L0 5L-5 0Z', 'M-4-4L4 4M-4 4L4-4', 'M0 5L5-4H-5Z'];
 
     static key(method) {
         const index = live.WorkPrecision.methods.indexOf(method);

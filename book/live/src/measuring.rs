@@ -117,7 +117,7 @@ impl Measuring {
             is_too_short = rounds.is_too_short();
         }
         Answer::default()
-            .with("work", [self.work_done, work])
+            .with("progress", [self.work_done, work])
             .with("prepared", [flag(self.timed.is_some())])
             .with("measured", [flag(is_measured)])
             .with("rounds", [rounds_done as f64])

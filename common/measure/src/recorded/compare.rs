@@ -80,25 +80,22 @@ impl<'t> Recording<'t> {
         }
         // Opposite signs first.
         turned.sort_by_key(|one| !one.is_opposite());
-        let mut elsewhere = String::new();
-        for (key, words) in &other.head {
-            elsewhere += &format!("# {key}: {words}\n");
-        }
-        elsewhere += other.columns;
-        elsewhere.push('\n');
-        for row in &other.rows {
-            let is_kept = |kept: &&Row| {
+        let is_kept = |row: &&Row| {
+            kept.iter().any(|kept| {
                 kept.is_at(row) && (kept.method == row.method || is_first(&other.rows, row))
-            };
-            if kept.iter().any(is_kept) {
-                elsewhere += row.line;
-                elsewhere.push('\n');
-            }
-        }
+            })
+        };
+        let head = other
+            .head
+            .iter()
+            .map(|(key, words)| format!("# {key}: {words}"));
+        let mut elsewhere: Vec<String> = head.chain([other.columns.to_owned()]).collect();
+        let rows = other.rows.iter().filter(is_kept);
+        elsewhere.extend(rows.map(|row| row.line.to_owned()));
         Comparison {
             quotients,
             turned,
-            elsewhere,
+            elsewhere: elsewhere.join("\n") + "\n",
         }
     }
 }

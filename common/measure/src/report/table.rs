@@ -59,7 +59,7 @@ impl Measured<'_> {
         };
         let percent = 100.0 * (1.0 - libm::pow(0.05, 1.0 / inputs as f64));
         format!(
-            "; max is the greatest error of {inputs} inputs: as surely, at most {} % of all have a greater one",
+            "; max is of {inputs} inputs: with 95 %, at most {} % of all inputs have a greater error",
             text::rounded(percent, 2)
         )
     }
