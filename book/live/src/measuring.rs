@@ -6,25 +6,34 @@
 
 mod edges;
 mod pictures;
-mod subject;
 
 use std::cell::RefCell;
 
-use common::Error;
+use common::{Color, Error, Image, Size};
+use measure::experiment::Point;
 use measure::front::Contender;
 use measure::report::Measured;
 use measure::{Rounds, Turn, reach};
 
 use crate::{Answer, Answered};
-use subject::Subject;
+use pictures::Pictures;
 
 /// A measurement that has begun.
 struct Measuring {
-    subject: Box<dyn Subject>,
-    least_time: f64,
-    /// Empty until everything is prepared.
+    /// The name of the experiment or of the picture.
+    name: String,
+    /// None of an experiment with edges.
+    pictures: Option<Pictures>,
+    /// None until everything is prepared.
     timed: Option<(Measured<'static>, Rounds)>,
+    least_time: f64,
     work_done: f64,
+}
+
+/// A picture, and by how much its channels are too bright.
+struct Shown {
+    image: Image,
+    errors: Vec<f64>,
 }
 
 /// The rounds in which the methods take turns, as in a report.
@@ -42,12 +51,17 @@ pub fn answer(request: &str, numbers: &[f64]) -> Answered {
         .and_then(|words| words.split_once('|'))
     {
         let methods: Vec<_> = methods.split(',').collect();
-        let measuring = Measuring {
-            subject: subject::named(name, &methods)?,
-            least_time: numbers.first().copied().unwrap_or(1e-3),
+        let mut measuring = Measuring {
+            name: name.to_owned(),
+            pictures: None,
             timed: None,
+            least_time: numbers.first().copied().unwrap_or(1e-3),
             work_done: 0.0,
         };
+        match edges::measured(name, &methods) {
+            Some(measured) => measuring.take_turns(measured),
+            None => measuring.pictures = Some(Pictures::new(name, &methods)?),
+        }
         let answer = measuring.progress();
         MEASURING.set(Some(measuring));
         return Ok(answer);
@@ -81,38 +95,55 @@ pub fn answer(request: &str, numbers: &[f64]) -> Answered {
 
 impl Measuring {
     fn prepare(&mut self) {
-        self.work_done += self.subject.prepare();
-        if self.timed.is_none()
-            && let Some(measured) = self.subject.prepared()
-        {
-            let rounds = Rounds::new(&measured.curves, ROUNDS, self.least_time);
-            self.timed = Some((measured, rounds));
+        if let Some(pictures) = self.pictures.as_mut().filter(|_| self.timed.is_none()) {
+            self.work_done += pictures.prepare();
+            if let Some(measured) = pictures.measured() {
+                self.take_turns(measured);
+            }
+        }
+    }
+
+    fn take_turns(&mut self, measured: Measured<'static>) {
+        let rounds = Rounds::new(&measured.curves, ROUNDS, self.least_time);
+        self.timed = Some((measured, rounds));
+    }
+
+    /// The work of a turn, in samples per pixel; of edges each turn is repeated until it takes as long as
+    /// others.
+    fn work(&self, point: &Point) -> f64 {
+        match self.pictures {
+            Some(_) => point.parameter + 1.0,
+            None => 1.0,
         }
     }
 
     fn took(&mut self, seconds: f64) {
-        let Some((measured, rounds)) = &mut self.timed else {
+        let Some((mut measured, mut rounds)) = self.timed.take() else {
             return;
         };
         if let Some(Turn { curve, point, .. }) = rounds.turn() {
             let [before, _] = rounds.progress();
             rounds.took(seconds);
             if rounds.progress()[0] > before {
-                self.work_done += self.subject.work(&measured.curves[curve].points[point]);
+                self.work_done += self.work(&measured.curves[curve].points[point]);
             }
-            measured.set_times(rounds);
+            measured.set_times(&rounds);
         }
+        self.timed = Some((measured, rounds));
     }
 
     /// How much is done of how much, whether all is prepared, and whether all is measured.
     fn progress(&self) -> Answer {
-        let mut work = self.subject.work_to_prepare();
+        let mut work = self
+            .pictures
+            .as_ref()
+            .map_or(0.0, Pictures::work_to_prepare);
         let flag = |is_set| f64::from(u8::from(is_set));
         let mut rounds_done = 0;
         let (mut is_measured, mut is_too_short) = (false, false);
         if let Some((measured, rounds)) = &self.timed {
             let points = measured.curves.iter().flat_map(|curve| &curve.points);
-            work += ROUNDS as f64 * points.map(|point| self.subject.work(point)).sum::<f64>();
+            work += ROUNDS as f64 * points.map(|point| self.work(point)).sum::<f64>();
             (rounds_done, is_measured) = (rounds.whole_rounds(), rounds.turn().is_none());
             is_too_short = rounds.is_too_short();
         }
@@ -204,7 +235,33 @@ impl Measuring {
         let of = of.filter(|curve| point < curve.points.len());
         let of = of.ok_or_else(missing)?;
         let rms = of.points[point].errors.rms;
-        let (picture, errors) = self.subject.picture(of.method, point)?;
-        pictures::beside(&picture, &errors, rms)
+        let shown = match &self.pictures {
+            Some(pictures) => pictures.picture(of.method, point)?,
+            None => edges::picture(&self.name, of.method, point)?,
+        };
+        shown.beside_its_errors(rms)
+    }
+}
+
+impl Shown {
+    /// The picture, and beside it how far each channel is off: grey is right, lighter is too bright. The errors
+    /// are enlarged by a power of two that makes their root mean square an eighth or more.
+    fn beside_its_errors(&self, rms: f64) -> Answered {
+        let factor = if rms > 0.0 {
+            libm::exp2(libm::ceil(libm::log2(0.125 / rms))).max(1.0)
+        } else {
+            1.0
+        };
+        let size = self.image.size();
+        let (width, height) = (size.width(), size.height());
+        let enlarged = Image::from_fn(size, |x, y| {
+            let pixel = 3 * (y * width + x) as usize;
+            let [r, g, b] = [0, 1, 2].map(|channel| 0.5 + factor * self.errors[pixel + channel]);
+            Color::new(r, g, b)
+        })?;
+        let mut both = Image::black(Size::new(2 * width, height)?)?;
+        both.paste(0, 0, &self.image);
+        both.paste(width, 0, &enlarged);
+        Ok(crate::picture::pixels(&both).with("factor", [factor]))
     }
 }

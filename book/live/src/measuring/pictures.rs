@@ -1,14 +1,14 @@
 //! `Pictures`: the samples of a scene.
 
-use common::{Color, Error, Image, Scene, Size};
-use measure::experiment::{Curve, Point};
+use common::{Error, Scene};
+use measure::experiment::Curve;
 use measure::report::Measured;
 use measure::scene_report::{
     METHODS, MIDDLE, Method, REFERENCES, Reference, Samples, without_curves,
 };
 
-use super::subject::Subject;
-use crate::{Answered, catalogue};
+use super::Shown;
+use crate::catalogue;
 
 /// The measurement of a scene.
 pub struct Pictures {
@@ -16,8 +16,8 @@ pub struct Pictures {
     methods: Vec<Method>,
     references: Vec<Vec<f64>>,
     reference: Option<Reference>,
+    /// Of each method, as far as it is measured.
     curves: Vec<Curve<'static>>,
-    is_given_away: bool,
 }
 
 /// The work of a reference picture, in samples per pixel of the lesson, of which the engine does three at
@@ -29,27 +29,30 @@ impl Pictures {
         // A measurement borrows it until the page stops this module.
         let scene: &'static Scene = Box::leak(Box::new(catalogue::scene(name)?));
         let known = [MIDDLE].into_iter().chain(METHODS);
-        let methods = known.filter(|method| methods.contains(&method.name));
+        let methods: Vec<_> = known
+            .filter(|method| methods.contains(&method.name))
+            .collect();
         Ok(Self {
             samples: Samples::new(scene)?,
-            methods: methods.collect(),
             references: Vec::new(),
             reference: None,
-            curves: Vec::new(),
-            is_given_away: false,
+            curves: methods
+                .iter()
+                .map(|method| Curve::new(method.name, []))
+                .collect(),
+            methods,
         })
     }
-}
 
-impl Subject for Pictures {
-    fn work_to_prepare(&self) -> f64 {
+    /// The amount of work before the first turn, in samples per pixel.
+    pub fn work_to_prepare(&self) -> f64 {
         let points = self.methods.iter().flat_map(|method| method.values);
         2.0 * REFERENCE_WORK + points.map(|value| value + 1.0).sum::<f64>()
     }
 
-    fn prepare(&mut self) -> f64 {
-        let done = self.references.len();
-        if let Some(seed) = REFERENCES.get(done) {
+    /// Renders the next picture, and returns its work.
+    pub fn prepare(&mut self) -> f64 {
+        if let Some(seed) = REFERENCES.get(self.references.len()) {
             self.references.push(self.samples.reference_picture(*seed));
             return REFERENCE_WORK;
         }
@@ -57,42 +60,28 @@ impl Subject for Pictures {
         let reference = self
             .reference
             .get_or_insert_with(|| Reference::of(&references[0], &references[1]));
-        for method in &self.methods {
-            let at = self
-                .curves
-                .iter()
-                .position(|curve| curve.method == method.name);
-            let at = at.unwrap_or_else(|| {
-                self.curves.push(Curve::new(method.name, []));
-                self.curves.len() - 1
-            });
-            let points = &mut self.curves[at].points;
-            if let Some(value) = method.values.get(points.len()) {
-                points.push(self.samples.point(*method, *value, reference));
+        for (method, curve) in self.methods.iter().zip(&mut self.curves) {
+            if let Some(value) = method.values.get(curve.points.len()) {
+                let point = self.samples.point(*method, *value, reference);
+                curve.points.push(point);
                 return value + 1.0;
             }
         }
         0.0
     }
 
-    fn prepared(&mut self) -> Option<Measured<'static>> {
-        let points: usize = self.curves.iter().map(|curve| curve.points.len()).sum();
-        let all: usize = self.methods.iter().map(|method| method.values.len()).sum();
-        if points < all || self.is_given_away {
-            return None;
-        }
-        self.is_given_away = true;
-        Some(Measured {
+    /// The experiment, once all pictures are rendered.
+    pub fn measured(&mut self) -> Option<Measured<'static>> {
+        let mut pairs = self.methods.iter().zip(&self.curves);
+        let is_ready = pairs.all(|(method, curve)| curve.points.len() == method.values.len());
+        is_ready.then(|| Measured {
             experiment: without_curves("samples"),
             curves: std::mem::take(&mut self.curves),
         })
     }
 
-    fn work(&self, point: &Point) -> f64 {
-        point.parameter + 1.0
-    }
-
-    fn picture(&self, method: &str, point: usize) -> Result<(Image, Vec<f64>), Error> {
+    /// The picture of a method's point.
+    pub fn picture(&self, method: &str, point: usize) -> Result<Shown, Error> {
         let missing = || Error::Usage(format!("no picture of {method}"));
         let method = self.methods.iter().find(|known| known.name == method);
         let value = method.and_then(|method| method.values.get(point));
@@ -100,26 +89,9 @@ impl Subject for Pictures {
         let reference = self.reference.as_ref().ok_or_else(missing)?;
         let image = self.samples.picture(*method, *value);
         let errors = reference.differences(&image);
-        Ok((image?, errors))
+        Ok(Shown {
+            image: image?,
+            errors,
+        })
     }
-}
-
-/// A picture, and beside it how far each channel is off: grey is right, lighter is too bright. The errors
-/// are enlarged by a power of two that makes their root mean square an eighth or more.
-pub fn beside(picture: &Image, errors: &[f64], rms: f64) -> Answered {
-    let factor = if rms > 0.0 {
-        libm::exp2(libm::ceil(libm::log2(0.125 / rms))).max(1.0)
-    } else {
-        1.0
-    };
-    let (width, height) = (picture.size().width(), picture.size().height());
-    let enlarged = Image::from_fn(picture.size(), |x, y| {
-        let pixel = 3 * (y * width + x) as usize;
-        let [r, g, b] = [0, 1, 2].map(|channel| 0.5 + factor * errors[pixel + channel]);
-        Color::new(r, g, b)
-    })?;
-    let mut both = Image::black(Size::new(2 * width, height)?)?;
-    both.paste(0, 0, picture);
-    both.paste(width, 0, &enlarged);
-    Ok(crate::picture::pixels(&both).with("factor", [factor]))
 }
