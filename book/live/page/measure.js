@@ -29,7 +29,7 @@ live.Measure = class {
         this.diagram = new live.WorkPrecision(
             live.newest((point) => this.show(point), ({ message }) => (this.caption.textContent = message)),
             live.newest((error) => this.answer(error), ({ message }) => this.say(message)));
-        const hint = 'Farther left is faster, farther down is more exact. Thin: recorded on another machine. A bar is an interval of 95 %; large marks are on the Pareto front. '
+        const hint = 'Farther left is faster, farther down is more exact. Thin: recorded on another machine. A bar is an interval of 95 %; large marks are on the Pareto front. A browser tells the time on the wall, in which your machine may do other work, too. '
             + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
         this.root = live.panel('Which method reaches your error soonest, here?', hint,
             live.element('div', { className: 'live-controls' }, this.subject, ' ', this.methods),
@@ -124,6 +124,7 @@ live.Measure = class {
         this.least = Math.max(1, 50 * this.tick);
         try {
             let answer = await request(`begin ${methods}|${this.name}`, [this.least / 1000]);
+            this.status.value = 'rendering the picture to compare with …';
             while (!answer.prepared[0]) {
                 answer = await request('prepare');
                 this.progress(answer, 'errors');

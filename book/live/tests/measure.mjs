@@ -70,7 +70,10 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
         await value('diagram.handle.focus()');
         await chromium.key('ArrowUp');
         await chromium.until(`${figure}.verdict.textContent !== ${JSON.stringify(before)}`);
-        expect(/samples per pixel, .* rounds?: an interval of 95 % takes six/.test(await verdict()), `${subject}: says ${await verdict()}`);
+        const dragged = await value('diagram.wanted');
+        await chromium.drag(`${figure}.diagram.handle`, 0, -30);
+        expect((await value('diagram.wanted')) > dragged, `${subject}: the line does not answer a drag`);
+        expect(/samples? per pixel, .* rounds?: an interval of 95 % takes six/.test(await verdict()), `${subject}: says ${await verdict()}`);
         await value(`diagram.points.querySelector('[tabindex="0"]').focus()`);
         await chromium.key('ArrowRight');
         await chromium.until(`!${figure}.shown.hidden && ${figure}.caption.textContent.startsWith(document.activeElement.getAttribute('aria-label'))`);

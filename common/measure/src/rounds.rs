@@ -131,3 +131,32 @@ impl Rounds {
         Median::of_quotients(self.of(curve, point), self.of(other, point))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::example::curve;
+
+    /// A run takes 0.3 ms on a clock with steps of 1 ms, which asks for 50 ms: 200 runs or so are known to a
+    /// fiftieth. A run of a nanosecond is never seen.
+    #[test]
+    fn short_runs_are_repeated_until_the_clock_sees_them() {
+        let curves = [curve(&[(1.0, 1.0)]), curve(&[(1.0, 1.0)])];
+        let run = [3e-4, 1e-9];
+        let mut rounds = Rounds::new(&curves, 2, 0.05);
+        let mut order = Vec::new();
+        while let Some(turn) = rounds.turn() {
+            let seconds = run[turn.curve] * f64::from(turn.runs);
+            let before = rounds.progress();
+            rounds.took((seconds * 1e3).floor() / 1e3);
+            if rounds.progress() != before {
+                order.push(turn.curve);
+            }
+        }
+        assert_eq!(order, [0, 1, 1, 0]);
+        for seconds in rounds.of(0, 0) {
+            assert!((seconds / 3e-4 - 1.0).abs() < 0.02, "{seconds}");
+        }
+        assert!(rounds.is_too_short());
+    }
+}
