@@ -55,7 +55,7 @@ pub trait Traced: Any + Send + Sync {
     /// the settings. The engine has only those of the samples.
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error>;
 
-    /// Why the picture is black all over; none if no mistake is found.
+    /// Why the picture is black all over; none if no reason is sure.
     fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error>;
 
     /// The rays of the first sample from the side and from above, as SVG, whose title has the name of

@@ -55,7 +55,8 @@ impl Traced for Views {
     }
 
     fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error> {
-        Ok(self.view(settings)?.why_black(settings))
+        let of_stage = matches!(self, Self::Code(_));
+        Ok(self.view(settings)?.why_black(settings, of_stage))
     }
 
     fn drawing(

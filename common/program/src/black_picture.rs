@@ -5,7 +5,7 @@ use common::{Color, Image, Scene, Settings};
 
 use crate::print::warn;
 
-/// Prints a note with the reason if a picture is black all over, and a mistake is found.
+/// Prints a note with the reason if a picture is black all over, and the reason is sure.
 pub fn warn_if_black(scene: &Scene, settings: &Settings, image: &Image) {
     let mut brightest: f64 = 0.0;
     for color in image.rows().flatten() {
