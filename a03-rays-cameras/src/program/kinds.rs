@@ -11,7 +11,7 @@ use std::any::Any;
 use a02_math::{Point3, Vector3};
 use scene_file::{Error, Item, SceneFile};
 
-use for_engine::camera as camera_for_engine;
+pub(crate) use for_engine::camera as camera_for_engine;
 pub(crate) use for_engine::{light_at, render};
 pub use format::{Format, settings};
 pub use numbered_file::NumberedFile;

@@ -1,6 +1,7 @@
 //! The choice of the renderer for a view.
 
 use common::{Error, Image, Progress, Renderer, Settings};
+use engine::adaptive::KnownLight;
 
 use super::instruments::{self, Instruments};
 use super::kinds;
@@ -17,19 +18,23 @@ impl View {
         }
         let bounds = settings.max_error.map(|max_error| {
             let scene = self.world.for_engine(settings.depth);
-            let max_radiance = scene.map_or(f64::INFINITY, |scene| scene.max_radiance());
-            (max_error, max_radiance)
+            let of_scene = |scene: engine::Scene| {
+                let camera = kinds::camera_for_engine(&*self.camera);
+                scene.known_light(&camera, settings.size)
+            };
+            let known = scene.map_or_else(|| KnownLight::up_to(f64::INFINITY), of_scene);
+            (max_error, known)
         });
         let Self { camera, world } = match instruments {
             Some(instruments) => self.recorded(instruments),
             None => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
-        let Some((max_error, max_radiance)) = bounds else {
+        let Some((max_error, known)) = bounds else {
             return render(&camera, radiance, settings, progress);
         };
         let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
-        engine::adaptive::render_image(max_error, max_radiance, &light, settings, progress)
+        engine::adaptive::render_image(max_error, &known, &light, settings, progress)
     }
 
     /// The view with these instruments.

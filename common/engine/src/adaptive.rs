@@ -2,7 +2,8 @@
 //! highlights, until the error of the picture is below a bound.
 //!
 //! 1. Each pixel gets pilot samples, more of them if the picture is small: enough to find each
-//!    object that is large enough to matter (`pilot`).
+//!    object that is large enough to matter (`pilot`). Where only background can be seen, one is
+//!    enough (`known_light`).
 //! 2. Where samples differ, the expected variance sets a number of samples, and the pixel takes
 //!    as many as it has (`expected_variance`, `allocation`).
 //! 3. The difference of the new samples from those before estimates the error (`check`). A
@@ -18,6 +19,7 @@
 mod allocation;
 mod check;
 mod expected_variance;
+mod known_light;
 mod picture;
 mod pilot;
 mod pixel;
@@ -32,6 +34,7 @@ use rayon::iter::{
 use allocation::{Allocation, Target};
 use check::{Checked, Estimate, check};
 use expected_variance::expected_variances;
+pub use known_light::KnownLight;
 use picture::Picture;
 use pilot::{Pilot, UNSEEN};
 use pixel::Pixel;
@@ -74,8 +77,7 @@ const BRIGHTER: f64 = 2.0;
 const SPARE_SAMPLES: f64 = 0.25;
 
 /// Renders the picture of the light at each position, until its root mean square error is at
-/// most `max_error`, with 95 % confidence. No light is brighter than `max_radiance`, which may
-/// be infinite if that is unknown.
+/// most `max_error`, with 95 % confidence.
 ///
 /// `progress` gets the estimated error, which may be above `max_error` if that would need more
 /// samples of a pixel than the settings allow. Four are always allowed. The sample in the middle
@@ -87,7 +89,7 @@ const SPARE_SAMPLES: f64 = 0.25;
 /// not fit into memory.
 pub fn render_image(
     max_error: f64,
-    max_radiance: f64,
+    known: &KnownLight,
     radiance: &dyn Radiance,
     settings: &Settings,
     progress: &dyn Progress,
@@ -95,7 +97,7 @@ pub fn render_image(
     let mut image = Image::black(settings.size)?;
     let mut picture = Picture::new(radiance, settings, progress)?;
     progress.done(0.0);
-    let mut refinement = Refinement::new(&mut picture, max_radiance, settings.samples);
+    let mut refinement = Refinement::new(&mut picture, known, settings.samples);
     refinement.until(max_error, &mut picture)?;
     progress.sampled(&refinement.sampled(&picture));
 
@@ -121,7 +123,8 @@ struct Refinement {
 
 impl Refinement {
     /// Takes the first pilot samples.
-    fn new(picture: &mut Picture, max_radiance: f64, max_samples: u32) -> Self {
+    fn new(picture: &mut Picture, known: &KnownLight, max_samples: u32) -> Self {
+        let max_radiance = known.max_radiance;
         let mut sampled = SamplingReport {
             pixels: picture.pixels().len() as u64,
             max_radiance,
@@ -129,12 +132,12 @@ impl Refinement {
         };
         let squared_error = sum_of_squares(FIRST_ERROR, &sampled);
         let mut pilot = Pilot::new(squared_error, max_samples);
-        if pilot.middles {
-            picture.take_middles();
-            sampled.samples += sampled.pixels;
-        } else {
+        sampled.samples = picture.take_middles(pilot.middles, known);
+        if !pilot.middles {
             picture.take(pilot.pairs.div_ceil(2));
         }
+        let pixels = picture.pixels().par_iter();
+        pilot.searched = pixels.filter(|pixel| !pixel.is_background()).count() as f64;
         pilot.widen(brightest_hidden(picture.brightest(), max_radiance));
         Self {
             pilot,
@@ -185,6 +188,9 @@ impl Refinement {
         };
         let allocation = Allocation::new(&variances, target);
         move |i: usize, pixel: &Pixel| {
+            if pixel.is_background() {
+                return 0;
+            }
             let goal = allocation.pairs(variances[i]);
             if goal > pixel.pairs().max(min_pairs) {
                 (2 * pixel.pairs()).clamp(min_pairs + 1, max_pairs)
@@ -206,9 +212,10 @@ impl Refinement {
         (0.5 * 4.0 / 3.0 * UNSEEN * refined / pilot).clamp(least, largest)
     }
 
-    /// The number of pilot samples of all pixels.
+    /// The number of pilot samples of all pixels, one where only background is seen.
     fn pilot_samples(&self) -> f64 {
-        self.pilot.samples() * self.sampled.pixels as f64
+        let background = self.sampled.pixels as f64 - self.pilot.searched;
+        self.pilot.samples() * self.pilot.searched + background
     }
 
     /// Records the error of the picture after a check in the report.
@@ -237,7 +244,8 @@ impl Refinement {
     fn sampled(mut self, picture: &Picture) -> SamplingReport {
         let pairs = picture.pixels().par_iter().map(Pixel::pairs);
         self.sampled.samples += picture.samples();
-        self.sampled.most = 2 * pairs.max().unwrap_or(0) + u32::from(self.pilot.middles);
+        let most = 2 * pairs.max().unwrap_or(0) + u32::from(self.pilot.middles);
+        self.sampled.most = most.max(1);
         self.sampled
     }
 }

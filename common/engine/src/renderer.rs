@@ -3,7 +3,7 @@
 use common::{Color, Error, Image, Omission, Omissions, Progress, Settings};
 
 use crate::accel::Accelerator;
-use crate::adaptive::{self, Radiance};
+use crate::adaptive::{self, KnownLight, Radiance};
 use crate::lanes::level::{Level, level};
 use crate::shade::{RadianceBound, max_radiance};
 use crate::trace::Tracer;
@@ -75,7 +75,15 @@ impl<'a> Renderer<'a> {
             Some(max_error) => {
                 let bound = self.tracer.cutoff.as_ref();
                 let max = bound.map_or(f64::INFINITY, |bound| bound.max_radiance.largest_channel());
-                adaptive::render_image(max_error, max, &view, settings, progress)
+                let shapes = &self.tracer.accelerator.shapes;
+                let known = KnownLight::of(
+                    max,
+                    self.tracer.background,
+                    shapes,
+                    &self.camera,
+                    settings.size,
+                );
+                adaptive::render_image(max_error, &known, &view, settings, progress)
             }
             None => view.render(sampler),
         }

@@ -1,11 +1,12 @@
 //! `Scene`: shapes, surfaces and lights as plain numbers.
 
-use common::Color;
+use common::{Color, Size};
 
 use crate::accel::{Kind, Shapes};
+use crate::adaptive::KnownLight;
 use crate::shade::max_radiance;
 use crate::shape::List;
-use crate::{Light, Shape, Surface, Transform};
+use crate::{Camera, Light, Shape, Surface, Transform};
 
 /// A scene.
 pub struct Scene<'a> {
@@ -58,6 +59,13 @@ impl<'a> Scene<'a> {
     #[must_use]
     pub fn max_radiance(&self) -> f64 {
         max_radiance(self).largest_channel()
+    }
+
+    /// What the scene says of the light of its picture.
+    #[must_use]
+    pub fn known_light(&self, camera: &Camera, size: Size) -> KnownLight {
+        let max = self.max_radiance();
+        KnownLight::of(max, self.background, &self.shapes, camera, size)
     }
 
     /// Passes on each shape, in the order in which they were added: its transforms, from the

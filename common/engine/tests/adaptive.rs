@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use common::{Color, Error, Image, Progress, SamplingReport, Settings, Size};
-use engine::adaptive::{PixelRandom, render_image};
+use engine::adaptive::{KnownLight, PixelRandom, render_image};
 use measure::experiment::HALF_GREY_LEVEL;
 
 /// Light at a position, counted from the middle of the lower left pixel.
@@ -39,7 +39,8 @@ fn adaptive(
     let sampled = Mutex::new(SamplingReport::default());
     let light = |x, y| Color::gray(light(x, y));
     let max_error = settings.max_error.unwrap();
-    let image = render_image(max_error, max_radiance, &light, settings, &sampled).unwrap();
+    let known = KnownLight::up_to(max_radiance);
+    let image = render_image(max_error, &known, &light, settings, &sampled).unwrap();
     (image, sampled.into_inner().unwrap())
 }
 
@@ -194,31 +195,83 @@ fn no_pixel_takes_more_samples_than_allowed() {
     }
 }
 
-/// Counts the samples of each pixel, also where all pixels begin with their middle.
+/// Counts the samples of each pixel, also where all pixels begin with their middle, and where nothing
+/// is searched outside of the square around the disc.
 #[test]
 fn the_reported_samples_are_those_that_were_taken() {
-    for (bound, most) in [
-        (1.0 / 64.0, 1024),
-        (1e-4, 6),
-        (1e-4, 9),
-        (HALF_GREY_LEVEL, 4),
+    for (bound, most, is_known) in [
+        (1.0 / 64.0, 1024, false),
+        (1.0 / 64.0, 1024, true),
+        (1e-4, 6, false),
+        (1e-4, 9, true),
+        (HALF_GREY_LEVEL, 4, true),
     ] {
         let mut settings = settings(bound, 0);
         settings.samples = most;
         let size = settings.size;
         let taken: Vec<_> = (0..size.pixels()).map(|_| AtomicU32::new(0)).collect();
+        let index = |x: f64, y: f64| (59.0 - y.round()) as usize * 80 + x.round() as usize;
         let light = |x: f64, y: f64| {
-            let pixel = y.round() * f64::from(size.width()) + x.round();
-            taken[pixel as usize].fetch_add(1, Ordering::Relaxed);
-            DISC(x, y)
+            taken[index(x, y)].fetch_add(1, Ordering::Relaxed);
+            Color::gray(DISC(x, y))
         };
-        let (_, sampled) = adaptive(light, 1.0, &settings);
+        let is_outside = |i: usize| {
+            let [x, y] = [(i % 80) as f64 - 41.3, (59 - i / 80) as f64 - 28.6];
+            x.abs().max(y.abs()) > 22.2 + 0.5
+        };
+        let mut known = KnownLight::up_to(1.0);
+        if is_known {
+            known.without_objects = (0..size.pixels()).map(is_outside).collect();
+        }
+        let sampled = Mutex::new(SamplingReport::default());
+        render_image(bound, &known, &light, &settings, &sampled).unwrap();
+        let sampled = sampled.into_inner().unwrap();
         let taken: Vec<_> = taken.into_iter().map(AtomicU32::into_inner).collect();
         assert_eq!(taken.iter().max(), Some(&sampled.most), "{sampled}");
         let samples: u64 = taken.iter().copied().map(u64::from).sum();
         assert_eq!(samples, sampled.samples, "{sampled}");
         assert!(sampled.most <= most, "{sampled}");
+        for (i, taken) in taken.into_iter().enumerate() {
+            assert!(!is_known || !is_outside(i) || taken == 1, "{i}: {taken}");
+        }
     }
+}
+
+/// What is known may be wrong, as by a camera that is being written: a middle that is no background is
+/// searched.
+#[test]
+fn a_pixel_with_other_light_than_the_background_is_searched() {
+    let settings = settings(HALF_GREY_LEVEL, 0);
+    let mut known = KnownLight::up_to(1.0);
+    known.without_objects = vec![true; settings.size.pixels()];
+    let light = |x, y| {
+        Color::gray(if DISC(x, y) > 0.0 {
+            0.1 + 0.01 * x
+        } else {
+            0.0
+        })
+    };
+    let sampled = Mutex::new(SamplingReport::default());
+    render_image(HALF_GREY_LEVEL, &known, &light, &settings, &sampled).unwrap();
+    let sampled = sampled.into_inner().unwrap();
+    assert!(
+        sampled.most > 3 && sampled.samples > 2 * sampled.pixels,
+        "{sampled}"
+    );
+}
+
+/// All light is known, so one sample a pixel has no error.
+#[test]
+fn a_picture_of_background_alone_is_not_searched() {
+    let settings = settings(1e-5, 0);
+    let mut known = KnownLight::up_to(1.0);
+    known.without_objects = vec![true; settings.size.pixels()];
+    known.background = Color::gray(0.25);
+    let sampled = Mutex::new(SamplingReport::default());
+    render_image(1e-5, &known, &|_, _| Color::gray(0.25), &settings, &sampled).unwrap();
+    let sampled = sampled.into_inner().unwrap();
+    assert_eq!((sampled.samples, sampled.most), (sampled.pixels, 1));
+    assert_eq!(sampled.max_error(), 0.0);
 }
 
 /// Ten specks of a tenth of a pixel, of which few samples meet one: some of their pixels need more
@@ -286,7 +339,13 @@ fn the_fraction_of_the_work_grows_and_stays_below_1() {
     for stopped in [false, true] {
         let fractions = Fractions(Mutex::default(), stopped);
         let (light, settings) = (|x, y| Color::gray(DISC(x, y)), settings(1.0, 0));
-        let result = render_image(HALF_GREY_LEVEL, 1.0, &light, &settings, &fractions);
+        let result = render_image(
+            HALF_GREY_LEVEL,
+            &KnownLight::up_to(1.0),
+            &light,
+            &settings,
+            &fractions,
+        );
         assert_eq!(matches!(result, Err(Error::Stopped)), stopped);
         let told = fractions.0.into_inner().unwrap();
         assert!(told.is_sorted() && told[0] == 0.0, "{told:?}");

@@ -38,7 +38,7 @@ pub fn expected_variances(pixels: &[Pixel], width: usize, own: &mut Vec<f32>) ->
             let around = &largest_in_column[column.saturating_sub(1)..width.min(column + 2)];
             let around = around.iter().copied().fold(0.0, f32::max);
             let (pixel, own) = (&pixels[row * width + column], own[row * width + column]);
-            if !is_glaring(pixel, own) {
+            if !pixel.is_background() && !is_glaring(pixel, own) {
                 *variance = own.max(of_neighbours(around, pixel.pairs()));
             }
         }
@@ -50,6 +50,9 @@ pub fn expected_variances(pixels: &[Pixel], width: usize, own: &mut Vec<f32>) ->
 /// is not finite.
 fn own_variance(pixels: &[Pixel], width: usize, row: usize, column: usize) -> f32 {
     let i = row * width + column;
+    if pixels[i].is_background() {
+        return 0.0;
+    }
     let variance = pixels[i].variance().unwrap_or_else(|| {
         let middle = pixels[i].mean();
         let left = (column > 0).then(|| &pixels[i - 1]);

@@ -8,6 +8,7 @@ use common::{Error, Progress, Settings};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
+use super::known_light::KnownLight;
 use super::pixel::Pixel;
 use super::random::PixelRandom;
 use super::sequence::Sequence;
@@ -96,24 +97,39 @@ impl<'a> Picture<'a> {
     pub fn take(&mut self, pairs: u32) {
         self.change_rows(&|picture, row, pixels| {
             let columns = 0..pixels.len() as u32;
-            for (column, new) in picture.sample(row, columns.map(|column| (column, 0..pairs))) {
+            let searched = columns.filter(|column| !pixels[*column as usize].is_background());
+            for (column, new) in picture.sample(row, searched.map(|column| (column, 0..pairs))) {
                 pixels[column as usize] = new;
             }
         });
     }
 
-    /// Takes a sample in the middle of each pixel.
-    pub fn take_middles(&mut self) {
-        self.change_rows(&|picture, row, pixels| {
-            let size = picture.settings.size;
-            let middle = |column| image_position(size, (column, row as u32), (0.5, 0.5));
-            let middles: Vec<_> = (0..size.width()).map(middle).collect();
+    /// Takes a sample in the middle of each pixel, or only of those in which no object can be seen, and
+    /// returns their number. Where such a sample shows the background, no other would differ.
+    pub fn take_middles(&mut self, of_all: bool, known: &KnownLight) -> u64 {
+        let counts = self.change_rows(&|picture, row, pixels| {
+            let (size, first) = (picture.settings.size, row * pixels.len());
+            let is_without = |column: u32| {
+                let without = known.without_objects.get(first + column as usize);
+                without.copied().unwrap_or_default()
+            };
+            let mut columns: Vec<_> = (0..size.width()).collect();
+            columns.retain(|column| of_all || is_without(*column));
+            let middle = |column: &u32| image_position(size, (*column, row as u32), (0.5, 0.5));
+            let middles: Vec<_> = columns.iter().map(middle).collect();
             let mut light = Vec::new();
             picture.tracer()(&middles, &mut light);
-            for (pixel, light) in pixels.iter_mut().zip(light) {
-                *pixel = Pixel::of_middle(light);
+            for (column, light) in columns.iter().zip(light) {
+                let is_background = is_without(*column) && light == known.background;
+                pixels[*column as usize] = if is_background {
+                    Pixel::of_background(light)
+                } else {
+                    Pixel::of_middle(light)
+                };
             }
+            columns.len() as u64
         });
+        counts.iter().sum()
     }
 
     /// Calls a function that changes the pixels of a row, for all rows, and returns its results.

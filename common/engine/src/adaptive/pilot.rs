@@ -20,6 +20,8 @@ pub const UNSEEN: f64 = 0.6;
 pub struct Pilot {
     /// Upper bound of the squared error of objects between all samples.
     max_unseen: f64,
+    /// The number of pixels in which there may be objects.
+    pub searched: f64,
     /// The most pairs of a pixel.
     pub max_pairs: u32,
     /// Whether each pixel begins with a sample in its middle. Otherwise it begins with half
@@ -39,6 +41,7 @@ impl Pilot {
         let max_samples = max_samples.max(FEWEST);
         let mut pilot = Self {
             max_unseen: UNSEEN * allowed,
+            searched: f64::INFINITY,
             max_pairs: max_samples / 2,
             middles: true,
             pairs: 1,
@@ -109,6 +112,7 @@ impl Pilot {
             (RULE_OF_THREE, brightest / self.samples())
         };
         let error = error.min(1.0);
+        let pixels = pixels.min(self.searched);
         CHANNELS * pixels * error * error
     }
 }

@@ -13,7 +13,7 @@ pub struct Pixel {
     /// The squared error that the last check estimated, added up over the channels.
     squared_error: f32,
     pairs: u32,
-    /// The number of pairs after the last check.
+    /// The number of pairs after the last check; the largest number where only background is seen.
     checked_pairs: u32,
 }
 
@@ -33,6 +33,19 @@ impl Pixel {
             sum: light,
             ..Self::NONE
         }
+    }
+
+    /// The light of a pixel of which no sample differs: it takes no more.
+    pub const fn of_background(light: Color) -> Self {
+        Self {
+            checked_pairs: u32::MAX,
+            ..Self::of_middle(light)
+        }
+    }
+
+    /// Whether no sample differs.
+    pub const fn is_background(&self) -> bool {
+        self.checked_pairs == u32::MAX
     }
 
     /// The light of a pair of samples.
