@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 use std::fs;
 
+use a02_math::{Point3, Vector3};
 use a05_lighting::kinds::LIGHTS;
 use a07_transforms::kinds::KINDS;
 use common::Color;
-use scene_file::{KINDS as TABLES, Key};
+use scene_file::{Item, KINDS as TABLES, Key, SceneFile};
 
 use crate::scene_cases::{open, picture};
 
@@ -46,6 +47,61 @@ fn each_row_of_shapes_has_a_table_and_each_table_a_row() {
 fn each_table_of_lights_has_a_row() {
     let rows: BTreeSet<_> = LIGHTS.0.iter().map(|row| row.key).collect();
     assert_eq!(rows, listed(true));
+}
+
+/// Far away and next to the lamp: points lie on lines through the vectors of the light's table, in their
+/// directions, so that some are around its place, and on the axis of its beam.
+#[test]
+fn no_light_is_brighter_than_its_bound_for_the_engine() {
+    for row in LIGHTS.0 {
+        let mut lit = 0;
+        for seed in 0..20 {
+            let mut state = seed;
+            let mut lines = vec![format!("[[{}]]\ncolor = [1, 0.5, 0.25]", row.key)];
+            for key in keys(row.key) {
+                let value = numbers(key.form, &mut state);
+                lines.push(format!("{} = {value}", key.name));
+            }
+            let text = lines.join("\n");
+            let file = SceneFile::read(&text, 7, &[], &|_| unreachable!()).unwrap();
+            let light = LIGHTS.read(&file.lights[0]).unwrap();
+            let bound = engine::Light {
+                kind: LIGHTS.for_engine(&*light),
+                casts_shadows: true,
+            };
+            let bound = bound.max_radiance().channels();
+            for point in points(&file.lights[0]) {
+                let Some(light) = light.illumination(point) else {
+                    continue;
+                };
+                lit += 1;
+                let channels = light.color.channels();
+                let is_below = (0..3).all(|i| channels[i] <= bound[i]);
+                assert!(
+                    is_below,
+                    "{channels:?} at {point:?}, above {bound:?}:\n{text}"
+                );
+            }
+        }
+        assert!(lit >= 100, "{}: {lit} points are lit", row.key);
+    }
+}
+
+/// Points at distances from 10^-12 to 10^5 from each vector of a table.
+fn points(item: &Item) -> Vec<Point3> {
+    let keys = keys(item.kind.name);
+    let vector = |key: &Key| item.find_vector(key.name, Vector3::new);
+    let vectors: Vec<_> = keys.iter().filter_map(vector).collect();
+    let mut points = Vec::new();
+    for place in &vectors {
+        for direction in &vectors {
+            for exponent in -12..6 {
+                let way = *direction * libm::exp10(f64::from(exponent));
+                points.push(Point3::ORIGIN + *place + way);
+            }
+        }
+    }
+    points
 }
 
 /// Checks that the book has the section that a row or a step names, as `PAGE.md#heading`.

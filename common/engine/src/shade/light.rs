@@ -74,8 +74,11 @@ pub(crate) struct IlluminationPacket<S: Simd> {
 }
 
 impl Light<'_> {
-    /// Upper bound of its light, per channel.
-    pub(crate) fn max_radiance(&self) -> Color {
+    /// Upper bound of its light at any point, also next to the lamp, per channel. A light that is
+    /// brighter than its colour somewhere, such as one that falls off with the distance, needs a larger
+    /// bound; infinite if there is none. The promise of `--max-error` relies on it.
+    #[must_use]
+    pub fn max_radiance(&self) -> Color {
         match self.kind {
             LightKind::Point { color, .. }
             | LightKind::Spot { color, .. }
