@@ -260,3 +260,22 @@ fn a_number_of_a_repeat_moves_all_of_its_copies() {
     assert_slopes(&found, "[[repeat]] #1", &of_repeat);
     assert_eq!(*response(&found, "[[repeat]] #1", "count"), Response::Whole);
 }
+
+/// Half a pixel is 0.0436, so the radius would be below 0. The ray passes the centre at the distance
+/// 0.032468 (of 0.016991 and 0.027667), and the silhouette there is 0.0108 nearer than the radius.
+#[test]
+fn the_edge_of_a_ball_smaller_than_half_a_pixel_is_told() {
+    let (x, z) = (
+        0.016_990_718_715_626_872_f64,
+        -0.027_667_163_523_198_115_f64,
+    );
+    let found = influences(&format!(
+        "[world]\nbackground = [0, 0, 1]\n[material.m]\ndiffuse = [1, 0.5, 0.25]\n\
+        [[sphere]]\ncenter = [{x}, 0, {z}]\nradius = 0.043252180503524904\nmaterial = \"m\"\n\
+        [[directional_light]]\ncolor = [1, 1, 1]\ndirection = [0.3, -1, 0.2]\n"
+    ));
+    let (distance, jump) = edge(&found, "[[sphere]] #1", "radius");
+    let expected = (x * x + z * z).sqrt() - 0.043_252_180_503_524_904;
+    assert!((distance - expected).abs() <= 1e-6, "{distance} {expected}");
+    assert!(jump[2] > 0.9, "{jump:?}");
+}

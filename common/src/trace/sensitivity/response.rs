@@ -104,16 +104,27 @@ impl Response {
     }
 }
 
-/// The farthest displacement up to the reach at which the number has a colour. Near the end of its
-/// range it is shorter.
+/// How often the distance between an allowed value and one that is not is halved.
+const HALVINGS: u32 = 12;
+
+/// The farthest displacement up to the reach at which the number has a colour. Where the reach goes
+/// beyond the end of the number's range, it is just before the end.
 fn farthest(value: f64, reach: f64, pixel: &dyn Pixel) -> Option<(f64, State)> {
-    [1.0, 1.0 / 64.0, 1.0 / 4096.0]
-        .into_iter()
-        .find_map(|shorter| {
-            let offset = shorter * reach;
-            let state = pixel.state(value + offset)?;
-            (value + offset != value).then_some((offset, state))
-        })
+    if let Some(state) = pixel.state(value + reach) {
+        return (value + reach != value).then_some((reach, state));
+    }
+    let mut found = None;
+    let (mut allowed, mut refused) = (0.0, reach);
+    for _ in 0..HALVINGS {
+        let offset = f64::midpoint(allowed, refused);
+        if let Some(state) = pixel.state(value + offset) {
+            allowed = offset;
+            found = Some((offset, state));
+        } else {
+            refused = offset;
+        }
+    }
+    found.filter(|(offset, _)| value + offset != value)
 }
 
 /// The slope where both sides are known; as an error, both slopes where they differ.

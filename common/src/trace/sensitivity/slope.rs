@@ -65,9 +65,8 @@ fn limit(
     step: f64,
     quotient: &mut dyn FnMut(f64, &mut bool) -> Option<Channels>,
 ) -> Option<Slope> {
-    let mut best: Option<Slope> = None;
+    let mut rows: Vec<(Slope, bool)> = Vec::new();
     let mut before: Vec<Channels> = Vec::new();
-    let mut last: Option<Channels> = None;
     for row in 0..ROWS {
         let step = step / f64::from(1_u32 << row);
         let mut distrust = false;
@@ -93,22 +92,35 @@ fn limit(
         }
         if let Some(Slope { slope, error }) = of_row {
             // It has to agree with the row before; and colours are rounded.
-            let change = last.map_or(f64::INFINITY, |last| magnitude(minus(slope, last)));
+            let last = rows.last().map(|(last, _)| *last);
+            let change = last.map_or(f64::INFINITY, |last| magnitude(minus(slope, last.slope)));
             let rounding = 2.0 * f64::EPSILON * scale / step;
-            let error = if distrust {
-                f64::INFINITY
-            } else {
-                error.max(change).max(rounding)
-            };
-            if best.is_none_or(|best| error < best.error) {
-                best = Some(Slope { slope, error });
-            }
-            if error <= SMALL * magnitude(slope) {
+            let error = error.max(change).max(rounding);
+            rows.push((Slope { slope, error }, distrust));
+            // One result may agree by luck.
+            let is_small = |error: f64| !distrust && error <= SMALL * magnitude(slope);
+            if is_small(error) && last.is_some_and(|last| is_small(last.error)) {
                 break;
             }
-            last = Some(slope);
         }
         before = columns;
+    }
+    least_error(&rows)
+}
+
+/// The slope with the least error that is to be trusted. Half a step doubles what rounding does: so
+/// errors of the steps after a slope tell its own, where it agrees with others by luck.
+fn least_error(rows: &[(Slope, bool)]) -> Option<Slope> {
+    let mut best: Option<Slope> = None;
+    let mut rounding: f64 = 0.0;
+    for (Slope { slope, error }, distrust) in rows.iter().rev() {
+        rounding = error.max(rounding / 2.0);
+        if !distrust && best.is_none_or(|best| rounding < best.error) {
+            best = Some(Slope {
+                slope: *slope,
+                error: rounding,
+            });
+        }
     }
     best
 }
