@@ -55,7 +55,7 @@ fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Ou
         }
         _ => return Ok(wrong(&sandbox.words(&built, "does not compile"))),
     }
-    let program = learn::find_program(&built.output)?;
+    let program = learn::find_program(&built.output, "test")?;
     let ended = sandbox.run(Limits::Check, [program])?;
     let message = sandbox.words(&ended, "not yet");
     let file = format!("{}/exercises/answers/{}.txt", e.stage, e.name);

@@ -1,6 +1,8 @@
-//! `build`: compiles the test program of a stage with a student's file.
+//! `build`: compiles the test program of a stage with a student's file, or the student's own program.
 
+use std::ffi::OsString;
 use std::fs::{File, TryLockError};
+use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io, thread};
@@ -10,7 +12,6 @@ use crate::files;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::run;
-use crate::report::Report;
 use crate::screen::Space;
 
 /// Time between two looks whether another cargo builds.
@@ -18,25 +19,15 @@ const PAUSE: Duration = Duration::from_millis(50);
 
 /// What comes of a build.
 pub enum Build {
-    /// The path of the test program.
+    /// The path of the program.
     Program(String),
-    Failed(Report),
+    /// What the compiler prints.
+    Failed(String),
     Stopped,
 }
 
 /// Builds the test program of an exercise.
 pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> {
-    let with_name = |error: io::Error| format!("cargo: {error}");
-    let mut start = Instant::now();
-    while is_locked() {
-        if !watcher(Phase::Waiting, start.elapsed()) {
-            return Ok(Build::Stopped);
-        }
-        thread::sleep(PAUSE);
-    }
-    start = Instant::now();
-    let (mut messages, to_messages) = io::pipe().map_err(with_name)?;
-    let (errors, to_errors) = io::pipe().map_err(with_name)?;
     let mut cargo = Command::new("cargo");
     cargo.arg("--quiet").args(arguments(e));
     // After a save, only functions that have changed are compiled again: those of a unit are
@@ -45,10 +36,44 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
     if let Some(width) = space.width {
         cargo.arg(format!("--diagnostic-width={width}"));
     }
+    cargo.current_dir(files::workspace());
+    let lock = files::workspace().join(target()).join("debug/.cargo-lock");
+    compile(cargo, "test", &lock, space, watcher)
+}
+
+/// Builds the student's own program.
+pub fn build_own(folder: &Path, space: Space, watcher: Watcher) -> Result<Build, String> {
+    let mut cargo = Command::new("cargo");
+    cargo.args(["--quiet", "build", "--release"]);
+    cargo.args(["--message-format", "json-render-diagnostics"]);
+    cargo.current_dir(folder);
+    let lock = folder.join(target()).join("release/.cargo-lock");
+    compile(cargo, "bin", &lock, space, watcher)
+}
+
+/// Runs cargo, as soon as no other one has locked the folder, and returns the program of this kind that it has
+/// built.
+fn compile(
+    mut cargo: Command,
+    kind: &str,
+    lock: &Path,
+    space: Space,
+    watcher: Watcher,
+) -> Result<Build, String> {
+    let with_name = |error: io::Error| format!("cargo: {error}");
+    let mut start = Instant::now();
+    while is_locked(lock) {
+        if !watcher(Phase::Waiting, start.elapsed()) {
+            return Ok(Build::Stopped);
+        }
+        thread::sleep(PAUSE);
+    }
+    start = Instant::now();
+    let (mut messages, to_messages) = io::pipe().map_err(with_name)?;
+    let (errors, to_errors) = io::pipe().map_err(with_name)?;
     if console::colors_enabled() {
         cargo.env("CARGO_TERM_COLOR", "always");
     }
-    cargo.current_dir(files::workspace());
     cargo.stdout(to_messages).stderr(to_errors);
     let messages = thread::spawn(move || io::read_to_string(&mut messages));
     let errors = OutputReader::start(errors);
@@ -58,28 +83,20 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
         return Ok(Build::Stopped);
     };
     if !status.success() {
-        let printed = errors.finish().beginning(space.lines);
-        // The compiler would send the student into the check.
-        let words = if printed.contains("tests/exercises/") {
-            "the check calls your code by the names and in the forms of the starter; look at yours"
-        } else {
-            ""
-        };
-        return Ok(Build::Failed(Report {
-            printed,
-            words: words.to_owned(),
-            ..Report::new(e, "does not compile")
-        }));
+        return Ok(Build::Failed(errors.finish().beginning(space.lines)));
     }
     let messages = messages.join().unwrap_or(Ok(String::new()));
-    let program = find_program(&messages.map_err(with_name)?)?;
+    let program = find_program(&messages.map_err(with_name)?, kind)?;
     Ok(Build::Program(program))
 }
 
+/// The folder of builds, as the environment has it.
+fn target() -> OsString {
+    env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into())
+}
+
 /// Whether another cargo builds in the same folder: cargo would wait for it without a word.
-fn is_locked() -> bool {
-    let target = env::var_os("CARGO_TARGET_DIR").unwrap_or("target".into());
-    let lock = files::workspace().join(target).join("debug/.cargo-lock");
+fn is_locked(lock: &Path) -> bool {
     let Ok(lock) = File::open(lock) else {
         return false;
     };
@@ -99,15 +116,16 @@ pub fn arguments(e: &Exercise) -> Vec<String> {
     all.map(str::to_owned).collect()
 }
 
-/// The path of the test program, in the messages of the build.
-pub fn find_program(messages: &str) -> Result<String, String> {
+/// The path of the program, in the messages of the build: of a `test`, or of a student's `bin`.
+pub fn find_program(messages: &str, kind: &str) -> Result<String, String> {
+    let kind = format!("\"kind\":[\"{kind}\"]");
     for line in messages.lines() {
-        if line.contains("\"kind\":[\"test\"]")
+        if line.contains(&kind)
             && let Some((_, rest)) = line.split_once("\"executable\":\"")
             && let Some((program, _)) = rest.split_once('"')
         {
             return Ok(program.replace("\\\\", "\\"));
         }
     }
-    Err("cargo does not say where the test program is".to_owned())
+    Err("cargo has built no program".to_owned())
 }

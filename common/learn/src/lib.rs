@@ -20,6 +20,7 @@ mod program;
 mod progress;
 mod report;
 mod screen;
+mod sheet;
 mod submit;
 mod watch;
 mod wrap;
@@ -85,6 +86,7 @@ enum Command {
     Reset(OrNext),
     Submit(submit::Submit),
     Program(program::Program),
+    Sheet(sheet::Command),
 }
 
 /// Runs the command of the command line.
@@ -117,6 +119,7 @@ fn run() -> Result<String, String> {
         Some(Command::Program(program)) => {
             program.run(course).map(|words| Screen::new().wrap(&words))
         }
+        Some(Command::Sheet(sheet)) => sheet.run(),
     }
 }
 

@@ -9,6 +9,8 @@ pub enum Phase {
     Waiting,
     Building,
     Checking,
+    /// A picture, by the student's program.
+    Drawing,
 }
 
 impl Phase {
@@ -21,6 +23,7 @@ impl Phase {
             Self::Building if seconds > 4 => "building, about a minute",
             Self::Building => "building",
             Self::Checking => "checking",
+            Self::Drawing => "drawing",
         };
         if seconds > 0 {
             format!("{words} ({seconds} s)")

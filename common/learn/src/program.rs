@@ -17,7 +17,7 @@ use common::text;
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
-use manifest::MANIFEST;
+pub use manifest::MANIFEST;
 
 /// Exercises whose functions take types that only their checks have.
 const LEFT_OUT: [&str; 2] = ["chain", "stripe"];

@@ -1,0 +1,165 @@
+//! `sheet`: judges the student's own program by the pictures that it draws for an open sheet.
+
+mod run;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use ::sheet::{Facts, Judgement, NAMES, Sheet, judge};
+use common::text;
+
+use crate::build::{Build, build_own};
+use crate::files::{self, with_path};
+use crate::program::MANIFEST;
+use crate::screen::Screen;
+use crate::{print, told};
+pub use run::Program;
+
+/// The folder of the sheets.
+const SHEETS: &str = "common/sheet/sheets";
+
+/// Lists the open sheets, shows what one asks for, or judges your program by its pictures
+#[derive(clap::Args)]
+pub struct Command {
+    /// A sheet [default: lists all]
+    name: Option<String>,
+    /// The folder of your program, which is built and asked for the pictures of the sheet
+    folder: Option<PathBuf>,
+}
+
+impl Command {
+    /// Does what the command says, and returns its last words, which are an error if a fact fails.
+    pub fn run(&self) -> Result<String, String> {
+        let sheets = read_all()?;
+        let Some(name) = &self.name else {
+            return Ok(list(&sheets));
+        };
+        let sheet = find(&sheets, name)?;
+        match &self.folder {
+            None => Ok(Screen::new().wrap(&about(sheet))),
+            Some(folder) => judge_program(sheet, folder),
+        }
+    }
+}
+
+/// The sheets of the workbook, in the order in which they are set.
+pub fn read_all() -> Result<Vec<Sheet>, String> {
+    let mut sheets = Vec::new();
+    for name in NAMES {
+        let file = format!("{SHEETS}/{name}.toml");
+        if files::shortest(&file).exists() {
+            sheets.push(Sheet::read(name, &files::read(&file)?)?);
+        }
+    }
+    Ok(sheets)
+}
+
+/// The sheet of this name.
+pub fn find<'a>(sheets: &'a [Sheet], name: &str) -> Result<&'a Sheet, String> {
+    let names: Vec<_> = sheets.iter().map(|sheet| &*sheet.name).collect();
+    let found = sheets.iter().find(|sheet| sheet.name == name);
+    found.ok_or_else(|| {
+        let wrong = text::name(name);
+        match text::nearest(&names, name) {
+            _ if names.is_empty() => {
+                "this workbook has no sheets; they follow its last stage".into()
+            }
+            Some(nearest) => format!("no sheet is called {wrong}; the nearest is {nearest}"),
+            None => format!("no sheet is called {wrong}; they are {}", names.join(", ")),
+        }
+    })
+}
+
+fn list(sheets: &[Sheet]) -> String {
+    let mut lines = Vec::new();
+    for Sheet {
+        name,
+        hours,
+        title,
+        page,
+        ..
+    } in sheets
+    {
+        lines.push(format!(
+            "{name:10} {hours:>2} h  {title:36} book/src/{page}"
+        ));
+    }
+    lines.push(String::new());
+    lines.push("`cargo learn sheet NAME` shows what it asks for".to_owned());
+    lines.push("`cargo learn sheet NAME ../my-tracer` judges your program".to_owned());
+    lines.join("\n")
+}
+
+/// What a sheet asks for.
+fn about(sheet: &Sheet) -> String {
+    let Sheet {
+        name,
+        title,
+        page,
+        hours,
+        ..
+    } = sheet;
+    let mut lines = vec![format!("{title} ({hours} h): book/src/{page}")];
+    lines.push("\nYour program draws:".to_owned());
+    for picture in &sheet.pictures {
+        let samples: Vec<_> = picture.samples.iter().map(u32::to_string).collect();
+        let (scene, size, samples) = (&picture.scene, picture.size, samples.join(", "));
+        lines.push(format!("  {scene}, {size} pixels, samples: {samples}"));
+    }
+    lines.push("\nThe facts:".to_owned());
+    for fact in &sheet.facts {
+        lines.push(format!("  {}: {}", fact.name, fact.says));
+    }
+    lines.push(format!(
+        "\n`cargo learn sheet {name} ../my-tracer` judges your program"
+    ));
+    lines.join("\n")
+}
+
+/// Builds the program, asks its pictures the facts, and prints what they say. The last words count the facts.
+fn judge_program(sheet: &Sheet, folder: &Path) -> Result<String, String> {
+    let shown = text::path(folder);
+    if !folder.join(MANIFEST).is_file() {
+        return Err(format!(
+            "{shown} has no {MANIFEST}: it is not the folder of your program, which `cargo new` has made"
+        ));
+    }
+    let screen = Screen::new();
+    let executable = match build_own(folder, screen.space(), &mut told(""))? {
+        Build::Program(program) => PathBuf::from(program),
+        Build::Failed(printed) => {
+            print(&printed)?;
+            return Err(format!("{}: {shown} does not compile", sheet.name));
+        }
+        Build::Stopped => return Ok(String::new()),
+    };
+    let pictures = format!("out/sheets/{}", sheet.name);
+    let program = Program {
+        executable,
+        folder: folder.to_owned(),
+        pictures: files::shortest(&pictures),
+    };
+    let judgement = program.judge(sheet, Facts::UntilOneFails)?;
+    print(&screen.wrap(&judgement.report()))?;
+    let words = format!(
+        "{}: {} of {} facts hold; the pictures are in {pictures}",
+        sheet.name,
+        judgement.passed(),
+        sheet.facts.len(),
+    );
+    if judgement.first_failure().is_some() {
+        Err(words)
+    } else {
+        Ok(words)
+    }
+}
+
+impl Program {
+    /// Asks the program's pictures the facts of a sheet.
+    pub fn judge<'a>(&self, sheet: &'a Sheet, facts: Facts) -> Result<Judgement<'a>, String> {
+        fs::create_dir_all(&self.pictures).map_err(with_path(&self.pictures))?;
+        Ok(judge(sheet, facts, &mut |picture, run| {
+            self.draw(picture, run, &mut told(&format!(": {}", run.words())))
+        }))
+    }
+}

@@ -1,0 +1,110 @@
+//! `Program`: the student's program, which draws one picture after the other within limits.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf, absolute};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant, SystemTime};
+use std::{env, fs, io};
+
+use ::sheet::{Drawn, Picture, Run, last_words};
+use common::text;
+
+use crate::files::with_path;
+use crate::output::OutputReader;
+use crate::phase::{Phase, Watcher};
+use crate::process::run;
+
+/// The most memory of a program. Windows and macOS do not hold this limit.
+const KIB: u32 = 2 << 20;
+
+/// The student's program.
+pub struct Program {
+    /// The file that runs.
+    pub executable: PathBuf,
+    /// Its folder, in which it runs.
+    pub folder: PathBuf,
+    /// Where its pictures are kept.
+    pub pictures: PathBuf,
+}
+
+impl Program {
+    /// Draws a picture. The error is a sentence about the program.
+    pub fn draw(&self, picture: &Picture, of: &Run, watcher: Watcher) -> Result<Drawn, String> {
+        let file = self.pictures.join(of.file());
+        let whole = absolute(&file).map_err(with_path(&file))?;
+        match fs::remove_file(&file) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                return Err(with_path(&file)(error));
+            }
+            _ => {}
+        }
+        let with_program = with_path(&self.executable);
+        let mut program = limited(&self.executable);
+        program.args([&*of.scene, "--samples", &of.samples.to_string(), "-o"]);
+        program.arg(whole).current_dir(&self.folder);
+        let (output, to_output) = io::pipe().map_err(&with_program)?;
+        program.env("RUST_BACKTRACE", "0");
+        program.stdout(Stdio::null()).stderr(to_output);
+        let output = OutputReader::start(output);
+
+        let limit = env::var("LEARN_SECONDS").ok();
+        let seconds = limit.and_then(|n| n.parse().ok());
+        let seconds = seconds.unwrap_or(picture.seconds);
+        let limit = Duration::from_secs(seconds.into());
+        let (start, began) = (Instant::now(), SystemTime::now());
+        let status = run(program, &mut || {
+            let elapsed = start.elapsed();
+            elapsed < limit && watcher(Phase::Drawing, elapsed)
+        });
+        let elapsed = start.elapsed().as_secs_f64();
+        match status.map_err(with_program)? {
+            Some(status) if status.success() => {}
+            Some(_) => {
+                let printed = output.finish().kept;
+                return Err(last_words(&String::from_utf8_lossy(&printed)));
+            }
+            None => {
+                return Err(format!(
+                    "it takes longer than {seconds} seconds, the limit for this picture"
+                ));
+            }
+        }
+        if file.exists() {
+            return Ok(Drawn {
+                file,
+                seconds: elapsed,
+            });
+        }
+        let other = self.picture_since(began);
+        let other = other.map_or(String::new(), |other| {
+            format!(", but {}", text::path(&other))
+        });
+        Err(format!(
+            "the program writes no picture into the file after -o{other}: does `main` begin with the lines of \
+             book/src/part-two.md?"
+        ))
+    }
+
+    /// A picture that the program has written into its own folder.
+    fn picture_since(&self, began: SystemTime) -> Option<PathBuf> {
+        let entries = fs::read_dir(&self.folder).ok()?;
+        let mut paths = entries.flatten().map(|entry| entry.path());
+        paths.find(|path| {
+            let saved = fs::metadata(path).and_then(|file| file.modified());
+            // Some file systems count whole seconds.
+            let is_new = |saved| saved + Duration::from_secs(1) >= began;
+            path.extension() == Some(OsStr::new("png")) && saved.is_ok_and(is_new)
+        })
+    }
+}
+
+/// The command that runs a program with a limit of memory, where a shell can set one.
+fn limited(program: &Path) -> Command {
+    if !cfg!(unix) {
+        return Command::new(program);
+    }
+    let mut shell = Command::new("sh");
+    let script = format!("ulimit -c 0; ulimit -d {KIB}; exec \"$0\" \"$@\"");
+    shell.args(["-c", &script]).arg(program);
+    shell
+}

@@ -1,0 +1,235 @@
+//! `Fact`: what a picture must show, as a row of a sheet: words, what is measured where, and the value that
+//! follows from theory.
+
+use common::Size;
+
+use crate::line::Line;
+use crate::measure::{Channel, Exact, Measure, Region};
+use crate::row::{Row, Value};
+use crate::sheet::{Picture, Run, Sheet};
+
+/// What a picture must show.
+#[derive(Debug)]
+pub struct Fact {
+    /// One word.
+    pub name: String,
+    /// The fact in words.
+    pub says: String,
+    /// The picture, whose copy is marked: of several the last.
+    pub(crate) run: Run,
+    pub(crate) channel: Option<Channel>,
+    pub(crate) measure: Measure,
+    /// The right value.
+    pub value: f64,
+    pub(crate) formula: String,
+    pub(crate) within: f64,
+    /// Why this tolerance.
+    pub(crate) because: String,
+    pub(crate) hint: String,
+}
+
+impl Fact {
+    pub(crate) fn read(row: &Row, sheet: &Sheet) -> Result<Self, String> {
+        let name: String = row.get("name")?;
+        if name.contains(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_') {
+            return Err(row.error("name", "must be one word"));
+        }
+        let run = run(row, sheet)?;
+        let size = picture(row, "scene", sheet, &run.scene)?.size;
+        let fact = Self {
+            measure: measure(row, sheet, &run, size)?,
+            name,
+            run,
+            says: row.get("says")?,
+            channel: row.find("channel")?,
+            value: row.get("value")?,
+            formula: row.get("formula")?,
+            within: row.get("within")?,
+            because: row.get("because")?,
+            hint: row.get("hint")?,
+        };
+        row.end()?;
+        Ok(fact)
+    }
+
+    /// The runs that the fact needs, in the order in which their pictures are drawn.
+    pub(crate) fn runs(&self) -> Vec<&Run> {
+        let mut runs = match &self.measure {
+            Measure::Growth { runs, .. } | Measure::Slope { runs, .. } => runs.iter().collect(),
+            _ => vec![&self.run],
+        };
+        match &self.measure {
+            Measure::Same(other)
+            | Measure::Spread {
+                exact: Exact::Run(other),
+                ..
+            }
+            | Measure::Slope {
+                exact: Exact::Run(other),
+                ..
+            } => runs.push(other),
+            _ => {}
+        }
+        runs
+    }
+}
+
+/// The picture of a scene that a key names.
+fn picture<'a>(row: &Row, key: &str, sheet: &'a Sheet, scene: &str) -> Result<&'a Picture, String> {
+    let unknown = || row.error(key, &format!("names no scene of a picture: {scene}"));
+    sheet.picture(scene).ok_or_else(unknown)
+}
+
+/// The run of a number of samples.
+fn run_of(row: &Row, picture: &Picture, samples: u32) -> Result<Run, String> {
+    if picture.samples.contains(&samples) {
+        Ok(picture.run(samples))
+    } else {
+        let scene = &picture.scene;
+        Err(row.error("samples", &format!("has {samples}, which {scene} has not")))
+    }
+}
+
+/// The run of the picture that the fact is about.
+fn run(row: &Row, sheet: &Sheet) -> Result<Run, String> {
+    let measure: String = row.get("measure")?;
+    if measure == "growth" {
+        let scenes: Vec<String> = row.get("scenes")?;
+        let last = scenes.last().map_or("", String::as_str);
+        return Ok(picture(row, "scenes", sheet, last)?.last());
+    }
+    let scene: String = row.get("scene")?;
+    let picture = picture(row, "scene", sheet, &scene)?;
+    let samples = if measure == "slope" {
+        row.get::<Vec<u32>>("samples")?.last().copied()
+    } else {
+        row.find("samples")?
+    };
+    match samples {
+        Some(samples) => run_of(row, picture, samples),
+        None => Ok(picture.last()),
+    }
+}
+
+/// What is measured in a picture of this size.
+fn measure(row: &Row, sheet: &Sheet, run: &Run, size: Size) -> Result<Measure, String> {
+    let measure: String = row.get("measure")?;
+    Ok(match &*measure {
+        "mean" => Measure::Mean(region(row, size)?),
+        "greatest" => Measure::Greatest(region(row, size)?),
+        "least" => Measure::Least(region(row, size)?),
+        "edge" => Measure::Edge(line(row, size)?),
+        "width" => Measure::Width(line(row, size)?),
+        "spread" => Measure::Spread {
+            region: region(row, size)?,
+            exact: exact(row, sheet, size)?,
+        },
+        "same" => Measure::Same(same_size(
+            row,
+            "as",
+            sheet,
+            &row.get::<String>("as")?,
+            size,
+        )?),
+        "growth" => {
+            let mut runs = Vec::new();
+            for scene in row.get::<Vec<String>>("scenes")? {
+                runs.push(same_size(row, "scenes", sheet, &scene, size)?);
+            }
+            if runs.len() < 3 {
+                return Err(row.error("scenes", "must name three or more"));
+            }
+            Measure::Growth {
+                region: region(row, size)?,
+                runs,
+            }
+        }
+        "slope" => {
+            let picture = picture(row, "scene", sheet, &run.scene)?;
+            let samples: Vec<u32> = row.get("samples")?;
+            let ascends = samples.is_sorted_by(|a, b| 0 < *a && a < b);
+            if samples.len() < 3 || !ascends {
+                return Err(row.error("samples", "must be three or more, each more than the last"));
+            }
+            let runs: Result<_, _> = samples.iter().map(|n| run_of(row, picture, *n)).collect();
+            Measure::Slope {
+                region: region(row, size)?,
+                exact: exact(row, sheet, size)?,
+                runs: runs?,
+            }
+        }
+        other => {
+            let known = Measure::NAMES.join(", ");
+            return Err(row.error("measure", &format!("is {other}; it must be one of {known}")));
+        }
+    })
+}
+
+/// The last run of another scene, whose picture is compared pixel by pixel.
+fn same_size(
+    row: &Row,
+    key: &'static str,
+    sheet: &Sheet,
+    scene: &str,
+    size: Size,
+) -> Result<Run, String> {
+    let other = picture(row, key, sheet, scene)?;
+    if other.size == size {
+        Ok(other.last())
+    } else {
+        let problem = format!("names {scene}, a picture of another size");
+        Err(row.error(key, &problem))
+    }
+}
+
+fn exact(row: &Row, sheet: &Sheet, size: Size) -> Result<Exact, String> {
+    let scene: Option<String> = row.find("exact_scene")?;
+    Ok(match scene {
+        Some(scene) => Exact::Run(same_size(row, "exact_scene", sheet, &scene, size)?),
+        None => Exact::Number(row.get("exact")?),
+    })
+}
+
+fn region(row: &Row, size: Size) -> Result<Region, String> {
+    let [x, y, width, height] = row.get("region")?;
+    let region = Region {
+        x,
+        y,
+        width,
+        height,
+    };
+    if region.is_inside(size) {
+        Ok(region)
+    } else {
+        let problem = format!("must be x, y, width and height within {size}");
+        Err(row.error("region", &problem))
+    }
+}
+
+fn line(row: &Row, size: Size) -> Result<Line, String> {
+    let line = Line {
+        from: row.get("from")?,
+        to: row.get("to")?,
+    };
+    if line.is_inside(size) {
+        Ok(line)
+    } else {
+        let problem = format!("must be another point than `from`, both within {size}");
+        Err(row.error("to", &problem))
+    }
+}
+
+impl Value for Channel {
+    fn form() -> String {
+        "\"red\", \"green\" or \"blue\"".to_owned()
+    }
+
+    fn read(value: &toml::de::DeValue) -> Option<Self> {
+        match value.as_str()? {
+            "red" => Some(Self::Red),
+            "green" => Some(Self::Green),
+            "blue" => Some(Self::Blue),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! `Slope`: the straight line through the logarithms of errors over samples, and how sure its slope is.
+
+/// The quantile of Student's t that leaves 2.5 % above it, by the number of points less two.
+const STUDENT: [f64; 8] = [
+    12.706_204_7,
+    4.302_652_7,
+    3.182_446_3,
+    2.776_445_1,
+    2.570_581_8,
+    2.446_911_9,
+    2.364_624_3,
+    2.306_004_1,
+];
+
+/// The error of the pictures of a scene, by their numbers of samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    pub samples: u32,
+    /// The time of the run.
+    pub seconds: f64,
+    pub error: f64,
+}
+
+/// The slope of log error over log samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slope {
+    pub slope: f64,
+    /// The distance from the slope to either end of the interval that holds the true one with 95 %, if the
+    /// errors follow a power law.
+    pub within: f64,
+}
+
+impl Slope {
+    /// The least squares line through three or more points. (N. R. Draper and H. Smith, Applied Regression
+    /// Analysis, 1998, chapter 1)
+    pub fn through(points: &[Point]) -> Result<Self, String> {
+        let mut logs = Vec::new();
+        for point in points {
+            if point.error == 0.0 {
+                let samples = point.samples;
+                return Err(format!(
+                    "with {samples} samples the error is 0, which has no logarithm"
+                ));
+            }
+            logs.push((libm::log(point.samples.into()), libm::log(point.error)));
+        }
+        let count = logs.len() as f64;
+        let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / count;
+        let mean_y = logs.iter().map(|(_, y)| y).sum::<f64>() / count;
+        let (mut xx, mut xy) = (0.0, 0.0);
+        for (x, y) in &logs {
+            xx += (x - mean_x) * (x - mean_x);
+            xy += (x - mean_x) * (y - mean_y);
+        }
+        let slope = xy / xx;
+        let mut squared_residuals = 0.0;
+        for (x, y) in &logs {
+            let residual = (y - mean_y) - slope * (x - mean_x);
+            squared_residuals += residual * residual;
+        }
+        let standard_error = (squared_residuals / (count - 2.0) / xx).sqrt();
+        // For more points the quantile is a little smaller.
+        let quantile = STUDENT[(logs.len() - 3).min(STUDENT.len() - 1)];
+        Ok(Self {
+            slope,
+            within: quantile * standard_error,
+        })
+    }
+}
