@@ -15,7 +15,7 @@ use crate::grading_folder::{Workbook, output_of};
 const README: &str = include_str!("../handout/README.md");
 
 /// The files and folders that are handed out.
-const PARTS: [&str; 13] = [
+const PARTS: [&str; 14] = [
     ".cargo",
     ".gitignore",
     "Cargo.lock",
@@ -30,6 +30,7 @@ const PARTS: [&str; 13] = [
     ":(exclude)common/fuzz",
     ":(exclude)common/corpus/adapters",
     ":(exclude)a0*/exercises/others/*",
+    ":(exclude)common/sheet/answers",
 ];
 
 /// Writes a workbook for students

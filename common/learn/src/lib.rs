@@ -20,7 +20,7 @@ mod program;
 mod progress;
 mod report;
 mod screen;
-mod sheet;
+pub mod sheet;
 mod submit;
 mod watch;
 mod wrap;

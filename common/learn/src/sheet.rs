@@ -43,7 +43,7 @@ impl Command {
 }
 
 /// The sheets of the workbook, in the order in which they are set.
-pub fn read_all() -> Result<Vec<Sheet>, String> {
+fn read_all() -> Result<Vec<Sheet>, String> {
     let mut sheets = Vec::new();
     for name in NAMES {
         let file = format!("{SHEETS}/{name}.toml");
@@ -55,7 +55,7 @@ pub fn read_all() -> Result<Vec<Sheet>, String> {
 }
 
 /// The sheet of this name.
-pub fn find<'a>(sheets: &'a [Sheet], name: &str) -> Result<&'a Sheet, String> {
+fn find<'a>(sheets: &'a [Sheet], name: &str) -> Result<&'a Sheet, String> {
     let names: Vec<_> = sheets.iter().map(|sheet| &*sheet.name).collect();
     let found = sheets.iter().find(|sheet| sheet.name == name);
     found.ok_or_else(|| {
@@ -138,6 +138,7 @@ fn judge_program(sheet: &Sheet, folder: &Path) -> Result<String, String> {
         executable,
         folder: folder.to_owned(),
         pictures: files::shortest(&pictures),
+        environment: Vec::new(),
     };
     let judgement = program.judge(sheet, Facts::UntilOneFails)?;
     print(&screen.wrap(&judgement.report()))?;

@@ -25,6 +25,8 @@ pub struct Program {
     pub folder: PathBuf,
     /// Where its pictures are kept.
     pub pictures: PathBuf,
+    /// Variables of its environment, by which tests choose what it draws.
+    pub environment: Vec<(&'static str, String)>,
 }
 
 impl Program {
@@ -44,6 +46,9 @@ impl Program {
         program.arg(whole).current_dir(&self.folder);
         let (output, to_output) = io::pipe().map_err(&with_program)?;
         program.env("RUST_BACKTRACE", "0");
+        for (name, value) in &self.environment {
+            program.env(name, value);
+        }
         program.stdout(Stdio::null()).stderr(to_output);
         let output = OutputReader::start(output);
 

@@ -1,0 +1,144 @@
+//! The judge tells right answers from wrong ones: two designs of each sheet give all facts, with several seeds, and
+//! each mistake fails first at its fact. Judged as `cargo learn sheet` judges a student's program.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use learn::sheet::Program;
+use sheet::{Facts, Judgement, Sheet};
+use toml::de::DeTable;
+
+const SEEDS: [u32; 3] = [0, 1, 2];
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "its pictures take too long without optimisation"
+)]
+fn tree() {
+    answers_are_told_apart("tree");
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "its pictures take too long without optimisation"
+)]
+fn patterns() {
+    answers_are_told_apart("patterns");
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "its pictures take too long without optimisation"
+)]
+fn glass() {
+    answers_are_told_apart("glass");
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "its pictures take too long without optimisation"
+)]
+fn lamp() {
+    answers_are_told_apart("lamp");
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "its pictures take too long without optimisation"
+)]
+fn lens() {
+    answers_are_told_apart("lens");
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "its pictures take too long without optimisation"
+)]
+fn light() {
+    answers_are_told_apart("light");
+}
+
+/// A row of `wrong.toml`.
+struct Wrong {
+    variant: String,
+    sheet: String,
+    fails: String,
+    forgets: String,
+}
+
+fn wrong_answers() -> Vec<Wrong> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("wrong.toml");
+    let text = fs::read_to_string(path).unwrap();
+    let table = DeTable::parse(&text).unwrap();
+    let rows = table
+        .get_ref()
+        .get("wrong")
+        .and_then(|rows| rows.get_ref().as_array());
+    let mut wrong = Vec::new();
+    for (number, row) in rows.into_iter().flatten().enumerate() {
+        let row = row.get_ref().as_table().unwrap();
+        let text = |key| row[key].get_ref().as_str().expect(key).to_owned();
+        wrong.push(Wrong {
+            variant: format!("wrong/{number}"),
+            sheet: text("sheet"),
+            fails: text("fails"),
+            forgets: text("forgets"),
+        });
+    }
+    wrong
+}
+
+/// What the judge says about an answer.
+fn judged<'a>(sheet: &'a Sheet, variant: &str, seed: u32, facts: Facts) -> Judgement<'a> {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("sheets");
+    let program = Program {
+        executable: env!("CARGO_BIN_EXE_sheet-answers").into(),
+        folder: env!("CARGO_MANIFEST_DIR").into(),
+        pictures: folder.join(format!("{variant}-{}-{seed}", sheet.name)),
+        environment: vec![("VARIANT", variant.to_owned()), ("SEED", seed.to_string())],
+    };
+    program.judge(sheet, facts).unwrap()
+}
+
+fn answers_are_told_apart(name: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../sheets/{name}.toml"));
+    let Ok(text) = fs::read_to_string(path) else {
+        eprintln!("skipped: there is no sheet {name}");
+        return;
+    };
+    let sheet = &Sheet::read(name, &text).unwrap();
+    let mut problems = Vec::new();
+    for design in ["first", "second"] {
+        for seed in SEEDS {
+            let judgement = judged(sheet, &format!("{design}/{name}"), seed, Facts::All);
+            if judgement.first_failure().is_some() {
+                let report = judgement.report();
+                problems.push(format!("{design}/{name}, seed {seed}:\n{report}"));
+            }
+        }
+    }
+    let mut failed = BTreeSet::new();
+    for wrong in wrong_answers().iter().filter(|wrong| wrong.sheet == name) {
+        let judgement = judged(sheet, &wrong.variant, 0, Facts::UntilOneFails);
+        let fails = judgement.first_failure().map_or("", |fact| &fact.name);
+        if fails != wrong.fails {
+            let Wrong { forgets, fails, .. } = wrong;
+            let report = judgement.report();
+            problems.push(format!("{forgets}: must fail first at {fails}\n{report}"));
+        }
+        failed.insert(&*fails.to_owned().leak());
+    }
+    for fact in &sheet.facts {
+        if !failed.contains(&*fact.name) {
+            problems.push(format!("no mistake in wrong.toml fails at {}", fact.name));
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
