@@ -67,3 +67,35 @@ impl Slope {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slope(errors: [f64; 3]) -> Result<Slope, String> {
+        let point = |(samples, error)| Point {
+            samples,
+            seconds: 0.0,
+            error,
+        };
+        Slope::through(
+            &[1, 2, 4]
+                .into_iter()
+                .zip(errors)
+                .map(point)
+                .collect::<Vec<_>>(),
+        )
+    }
+
+    /// In logarithms to the base 2 the points are (0, 0), (1, 1) and (2, 1): the slope is 1/2, the residuals are
+    /// -1/6, 1/3 and -1/6, and so its standard error is √(1/12).
+    #[test]
+    fn the_interval_is_that_of_student() {
+        let found = slope([1.0, 2.0, 2.0]).unwrap();
+        assert!((found.slope - 0.5).abs() < 1e-12, "{found:?}");
+        let within = 12.706_204_7 / 12.0_f64.sqrt();
+        assert!((found.within - within).abs() < 1e-12, "{found:?}");
+        assert_eq!(slope([1.0, 0.5, 0.25]).unwrap().within, 0.0);
+        assert!(slope([1.0, 0.0, 1.0]).unwrap_err().contains("2 samples"));
+    }
+}
