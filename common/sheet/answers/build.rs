@@ -30,27 +30,24 @@ fn main() -> Result<(), Problem> {
         );
     };
     for design in ["first", "second"] {
-        let folder = answers.join(design);
         println!("cargo::rerun-if-changed={design}");
-        let mut files: Vec<_> = fs::read_dir(folder)?
-            .flatten()
-            .map(|file| file.path())
-            .collect();
-        files.sort();
-        for file in files {
+        for file in files_in(&answers.join(design))? {
             let name = file.file_stem().unwrap_or_default().to_string_lossy();
-            if file.extension().is_some_and(|extension| extension == "rs") {
-                add(&format!("{design}/{name}"), &file);
-            }
+            add(&format!("{design}/{name}"), &file);
         }
     }
-    println!("cargo::rerun-if-changed=wrong.toml");
-    let rows = fs::read_to_string(answers.join("wrong.toml"))?;
-    for (number, text) in wrong_answers(&answers, &rows)?.iter().enumerate() {
-        let file = output.join(format!("wrong_{number}.rs"));
-        fs::write(&file, text)?;
-        if env::var("OPT_LEVEL")? != "0" {
-            add(&format!("wrong/{number}"), &file);
+    println!("cargo::rerun-if-changed=wrong");
+    for file in files_in(&answers.join("wrong"))? {
+        let sheet = file.file_stem().unwrap_or_default().to_string_lossy();
+        let right = fs::read_to_string(answers.join(format!("first/{sheet}.rs")))?;
+        let texts = wrong_answers(&right, &fs::read_to_string(&file)?);
+        let texts = texts.map_err(|problem| format!("wrong/{sheet}.toml, {problem}"))?;
+        for (number, text) in texts.iter().enumerate() {
+            let file = output.join(format!("{sheet}_{number}.rs"));
+            fs::write(&file, text)?;
+            if env::var("OPT_LEVEL")? != "0" {
+                add(&format!("wrong/{sheet}/{number}"), &file);
+            }
         }
     }
     let variants = format!(
@@ -63,9 +60,22 @@ fn main() -> Result<(), Problem> {
     Ok(())
 }
 
-/// The texts of the wrong answers: the first ones, each with a mistake.
-fn wrong_answers(answers: &Path, rows: &str) -> Result<Vec<String>, Problem> {
-    let table = DeTable::parse(rows)?;
+/// The files of a folder, but for hidden ones, sorted by their names.
+fn files_in(folder: &Path) -> Result<Vec<PathBuf>, Problem> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let file = entry?.path();
+        if file.extension().is_some() {
+            files.push(file);
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// The texts of the wrong answers of a sheet: the right one, each with a mistake.
+fn wrong_answers(right: &str, rows: &str) -> Result<Vec<String>, String> {
+    let table = DeTable::parse(rows).map_err(|error| error.to_string())?;
     let rows = table
         .get_ref()
         .get("wrong")
@@ -77,17 +87,15 @@ fn wrong_answers(answers: &Path, rows: &str) -> Result<Vec<String>, Problem> {
                 .get_ref()
                 .as_table()
                 .and_then(|row| row.get(key)?.get_ref().as_str());
-            text.ok_or_else(|| format!("wrong.toml, row {number}: `{key}` is missing"))
+            text.ok_or_else(|| format!("row {number}: `{key}` is missing"))
         };
-        let (sheet, line, instead) = (text("sheet")?, text("line")?, text("instead")?);
-        let right = fs::read_to_string(answers.join(format!("first/{sheet}.rs")))?;
+        let (line, instead) = (text("line")?, text("instead")?);
         let count = right.matches(line).count();
         if count != 1 {
             let fails = text("fails")?;
             return Err(format!(
-                "wrong.toml, row {number} ({sheet}, {fails}): first/{sheet}.rs has its line {count} times: {line}"
-            )
-            .into());
+                "row {number} ({fails}): its line occurs {count} times: {line}"
+            ));
         }
         texts.push(right.replace(line, instead));
     }

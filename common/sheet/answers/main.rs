@@ -1,7 +1,8 @@
 //! Answers to the open sheets, all in one program: `VARIANT=first/glass sheet-answers SCENE --samples N -o FILE`.
 //!
-//! `first` and `second` are right, and differ in their design. `wrong/0`, `wrong/1`, … are the rows of
-//! `wrong.toml`: `first` with one mistake. An optimised build has them all, others only those that are right.
+//! `first` and `second` are right, and differ in their design. `wrong/glass/0`, `wrong/glass/1`, … are the rows of
+//! `wrong/glass.toml`: `first/glass` with one mistake. An optimised build has them all, others only those that are
+//! right.
 
 #![allow(clippy::wildcard_imports, reason = "as in a student's program")]
 

@@ -65,16 +65,15 @@ fn light() {
     answers_are_told_apart("light");
 }
 
-/// A row of `wrong.toml`.
+/// A row of `wrong/NAME.toml`.
 struct Wrong {
     variant: String,
-    sheet: String,
     fails: String,
     forgets: String,
 }
 
-fn wrong_answers() -> Vec<Wrong> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("wrong.toml");
+fn wrong_answers(sheet: &str) -> Vec<Wrong> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("wrong/{sheet}.toml"));
     let text = fs::read_to_string(path).unwrap();
     let table = DeTable::parse(&text).unwrap();
     let rows = table
@@ -86,8 +85,7 @@ fn wrong_answers() -> Vec<Wrong> {
         let row = row.get_ref().as_table().unwrap();
         let text = |key| row[key].get_ref().as_str().expect(key).to_owned();
         wrong.push(Wrong {
-            variant: format!("wrong/{number}"),
-            sheet: text("sheet"),
+            variant: format!("wrong/{sheet}/{number}"),
             fails: text("fails"),
             forgets: text("forgets"),
         });
@@ -101,7 +99,7 @@ fn judged<'a>(sheet: &'a Sheet, variant: &str, seed: u32, facts: Facts) -> Judge
     let program = Program {
         executable: env!("CARGO_BIN_EXE_sheet-answers").into(),
         folder: env!("CARGO_MANIFEST_DIR").into(),
-        pictures: folder.join(format!("{variant}-{}-{seed}", sheet.name)),
+        pictures: folder.join(&sheet.name).join(format!("{variant}-{seed}")),
         environment: vec![("VARIANT", variant.to_owned()), ("SEED", seed.to_string())],
     };
     program.judge(sheet, facts).unwrap()
@@ -125,19 +123,22 @@ fn answers_are_told_apart(name: &str) {
         }
     }
     let mut failed = BTreeSet::new();
-    for wrong in wrong_answers().iter().filter(|wrong| wrong.sheet == name) {
+    for wrong in wrong_answers(name) {
         let judgement = judged(sheet, &wrong.variant, 0, Facts::UntilOneFails);
         let fails = judgement.first_failure().map_or("", |fact| &fact.name);
         if fails != wrong.fails {
-            let Wrong { forgets, fails, .. } = wrong;
+            let Wrong { forgets, fails, .. } = &wrong;
             let report = judgement.report();
             problems.push(format!("{forgets}: must fail first at {fails}\n{report}"));
         }
-        failed.insert(&*fails.to_owned().leak());
+        failed.insert(wrong.fails);
     }
     for fact in &sheet.facts {
-        if !failed.contains(&*fact.name) {
-            problems.push(format!("no mistake in wrong.toml fails at {}", fact.name));
+        if !failed.contains(&fact.name) {
+            problems.push(format!(
+                "no mistake in wrong/{name}.toml fails at {}",
+                fact.name
+            ));
         }
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
