@@ -2,11 +2,13 @@
 //! follows from theory.
 
 use common::Size;
+use toml::de::DeValue;
 
 use crate::line::Line;
 use crate::measure::{Channel, Exact, Measure, Region};
 use crate::row::{Row, Value};
 use crate::sheet::{Picture, Run, Sheet};
+use crate::slope::Axis;
 
 /// What a picture must show.
 #[derive(Debug)]
@@ -155,6 +157,7 @@ fn measure(row: &Row, sheet: &Sheet, run: &Run, size: Size) -> Result<Measure, S
             Measure::Slope {
                 region: region(row, size)?,
                 exact: exact(row, sheet, size)?,
+                axis: row.find("axis")?.unwrap_or_default(),
                 runs: runs?,
             }
         }
@@ -224,12 +227,22 @@ impl Value for Channel {
         "\"red\", \"green\" or \"blue\"".to_owned()
     }
 
-    fn read(value: &toml::de::DeValue) -> Option<Self> {
+    fn read(value: &DeValue) -> Option<Self> {
         match value.as_str()? {
             "red" => Some(Self::Red),
             "green" => Some(Self::Green),
             "blue" => Some(Self::Blue),
             _ => None,
         }
+    }
+}
+
+impl Value for Axis {
+    fn form() -> String {
+        "\"linear\", or missing for the logarithm of the samples".to_owned()
+    }
+
+    fn read(value: &DeValue) -> Option<Self> {
+        (value.as_str()? == "linear").then_some(Self::Linear)
     }
 }

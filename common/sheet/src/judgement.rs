@@ -203,6 +203,7 @@ impl Judgement<'_> {
             Measure::Slope {
                 region,
                 exact,
+                axis,
                 runs,
             } => {
                 for run in runs {
@@ -212,7 +213,7 @@ impl Judgement<'_> {
                         error: spread(run, *region, exact)?,
                     });
                 }
-                let slope = Slope::through(&answer.points)?;
+                let slope = Slope::through(&answer.points, *axis)?;
                 answer.slope = Some(slope);
                 slope.slope
             }

@@ -4,6 +4,7 @@ use common::{Color, Image, Size};
 
 use crate::line::Line;
 use crate::sheet::Run;
+use crate::slope::Axis;
 
 /// What is measured.
 #[derive(Debug)]
@@ -27,10 +28,11 @@ pub enum Measure {
         region: Region,
         runs: Vec<Run>,
     },
-    /// The slope of log spread over log samples.
+    /// The slope of log spread over samples or their logarithm.
     Slope {
         region: Region,
         exact: Exact,
+        axis: Axis,
         runs: Vec<Run>,
     },
 }

@@ -9,6 +9,7 @@ use crate::judgement::{Answer, Judgement, State};
 use crate::line::Line;
 use crate::marked::mark;
 use crate::measure::{Channel, Exact, Measure, Region};
+use crate::slope::Axis;
 
 /// The significant digits of a measured value.
 const DIGITS: usize = 6;
@@ -139,11 +140,18 @@ impl Fact {
                 let steps = "greatest difference between the steps of the mean";
                 of(steps, region) + ", from scene to scene: " + &scenes.join(", ")
             }
-            Measure::Slope { region, exact, .. } => {
-                of(
-                    &format!("slope of the logarithm of the {}", error(exact)),
-                    region,
-                ) + ", over the logarithm of the samples"
+            Measure::Slope {
+                region,
+                exact,
+                axis,
+                ..
+            } => {
+                let slope = format!("slope of the logarithm of the {}", error(exact));
+                let over = match axis {
+                    Axis::Logarithm => "the logarithm of the samples",
+                    Axis::Linear => "the samples",
+                };
+                format!("{}, over {over}", of(&slope, region))
             }
         };
         let channel = match self.channel {

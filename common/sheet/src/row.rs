@@ -95,9 +95,16 @@ impl<'a> Row<'a> {
         format!("{}: `{key}` {problem}", self.place)
     }
 
+    fn know(&self, key: &'static str) {
+        let mut known = self.known.borrow_mut();
+        if !known.contains(&key) {
+            known.push(key);
+        }
+    }
+
     /// The value of a key; none if the row lacks it.
     pub fn find<T: Value>(&self, key: &'static str) -> Result<Option<T>, String> {
-        self.known.borrow_mut().push(key);
+        self.know(key);
         let Some(value) = self.table.get(key) else {
             return Ok(None);
         };
@@ -114,7 +121,7 @@ impl<'a> Row<'a> {
 
     /// The rows `[[key]]`.
     pub fn rows(&self, key: &'static str) -> Result<Vec<Row<'_>>, String> {
-        self.known.borrow_mut().push(key);
+        self.know(key);
         let list = self.table.get(key).map(|rows| rows.get_ref().as_array());
         let list = list.unwrap_or(None).into_iter().flatten();
         let mut rows = Vec::new();

@@ -12,6 +12,16 @@ const STUDENT: [f64; 8] = [
     2.306_004_1,
 ];
 
+/// What the logarithm of the error is drawn over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axis {
+    /// The logarithm of the samples: a power of them is a straight line.
+    #[default]
+    Logarithm,
+    /// The samples themselves, such as a depth of which each step leaves the same part of the error.
+    Linear,
+}
+
 /// The error of the pictures of a scene, by their numbers of samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
@@ -21,19 +31,19 @@ pub struct Point {
     pub error: f64,
 }
 
-/// The slope of log error over log samples.
+/// The slope of log error over samples or their logarithm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
     pub slope: f64,
     /// The distance from the slope to either end of the interval that holds the true one with 95 %, if the
-    /// errors follow a power law.
+    /// errors follow the line.
     pub within: f64,
 }
 
 impl Slope {
     /// The least squares line through three or more points. (N. R. Draper and H. Smith, Applied Regression
     /// Analysis, 1998, chapter 1)
-    pub fn through(points: &[Point]) -> Result<Self, String> {
+    pub fn through(points: &[Point], axis: Axis) -> Result<Self, String> {
         let mut logs = Vec::new();
         for point in points {
             if point.error == 0.0 {
@@ -42,7 +52,11 @@ impl Slope {
                     "with {samples} samples the error is 0, which has no logarithm"
                 ));
             }
-            logs.push((libm::log(point.samples.into()), libm::log(point.error)));
+            let x = match axis {
+                Axis::Logarithm => libm::log(point.samples.into()),
+                Axis::Linear => point.samples.into(),
+            };
+            logs.push((x, libm::log(point.error)));
         }
         let count = logs.len() as f64;
         let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / count;
@@ -72,30 +86,29 @@ impl Slope {
 mod tests {
     use super::*;
 
-    fn slope(errors: [f64; 3]) -> Result<Slope, String> {
+    fn slope(samples: [u32; 3], errors: [f64; 3], axis: Axis) -> Result<Slope, String> {
         let point = |(samples, error)| Point {
             samples,
             seconds: 0.0,
             error,
         };
-        Slope::through(
-            &[1, 2, 4]
-                .into_iter()
-                .zip(errors)
-                .map(point)
-                .collect::<Vec<_>>(),
-        )
+        let points: Vec<_> = samples.into_iter().zip(errors).map(point).collect();
+        Slope::through(&points, axis)
     }
 
     /// In logarithms to the base 2 the points are (0, 0), (1, 1) and (2, 1): the slope is 1/2, the residuals are
     /// -1/6, 1/3 and -1/6, and so its standard error is √(1/12).
     #[test]
     fn the_interval_is_that_of_student() {
-        let found = slope([1.0, 2.0, 2.0]).unwrap();
+        let found = slope([1, 2, 4], [1.0, 2.0, 2.0], Axis::Logarithm).unwrap();
         assert!((found.slope - 0.5).abs() < 1e-12, "{found:?}");
         let within = 12.706_204_7 / 12.0_f64.sqrt();
         assert!((found.within - within).abs() < 1e-12, "{found:?}");
-        assert_eq!(slope([1.0, 0.5, 0.25]).unwrap().within, 0.0);
-        assert!(slope([1.0, 0.0, 1.0]).unwrap_err().contains("2 samples"));
+        let power = slope([1, 2, 4], [1.0, 0.5, 0.25], Axis::Logarithm).unwrap();
+        assert_eq!((power.slope, power.within), (-1.0, 0.0));
+        let steps = slope([1, 2, 3], [1.0, 0.5, 0.25], Axis::Linear).unwrap();
+        assert_eq!((steps.slope, steps.within), (-std::f64::consts::LN_2, 0.0));
+        let none = slope([1, 2, 4], [1.0, 0.0, 1.0], Axis::Linear).unwrap_err();
+        assert!(none.contains("2 samples"), "{none}");
     }
 }
