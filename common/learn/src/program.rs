@@ -17,6 +17,7 @@ use common::text;
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
+use crate::sheet;
 pub use manifest::MANIFEST;
 
 /// Exercises whose functions take types that only their checks have.
@@ -101,7 +102,8 @@ struct Brought {
 }
 
 /// Writes the functions of all stages up to the last one in which an exercise of the core path is
-/// done: the texts that are `done`, by the names of their exercises, and the workbook's.
+/// done: the texts that are `done`, by the names of their exercises, and the workbook's. Functions that open
+/// sheets ask for come, too, once they are done.
 fn bring(
     folder: &Path,
     course: &[Exercise],
@@ -123,9 +125,12 @@ fn bring(
         let library = stage.replace('-', "_");
         functions.extend(["pub use ", &library, "::*;\n"]);
     }
+    let steps = sheet::steps()?;
     let mut brought = Brought::default();
     for e in course {
-        if !e.is_core || !stages.contains(&e.stage) || LEFT_OUT.contains(&e.name) {
+        let is_step = steps.iter().any(|step| step == e.name) && done.contains_key(e.name);
+        let is_wanted = e.is_core || is_step;
+        if !is_wanted || !stages.contains(&e.stage) || LEFT_OUT.contains(&e.name) {
             continue;
         }
         let solution = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);

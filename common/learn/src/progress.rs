@@ -16,6 +16,9 @@ use crate::files;
 
 const FILE: &str = ".learn";
 
+/// What follows the core path.
+const PART_TWO: &str = "`cargo learn sheet` lists what your own program draws next, in part two";
+
 /// Hashes of right files, by the names of the exercises.
 type Hashes = BTreeMap<String, u64>;
 
@@ -141,6 +144,9 @@ impl Progress {
         let mut lines: Vec<_> = course.iter().map(|e| self.row(e)).collect();
         lines.push(String::new());
         lines.push(self.summary(course));
+        if course.iter().all(|e| !e.is_core || self.is_done(e)) {
+            lines.push(PART_TWO.to_owned());
+        }
         lines.join("\n")
     }
 }

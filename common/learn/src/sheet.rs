@@ -54,6 +54,14 @@ fn read_all() -> Result<Vec<Sheet>, String> {
     Ok(sheets)
 }
 
+/// The exercises whose functions move into the student's program for a sheet.
+pub(crate) fn steps() -> Result<Vec<String>, String> {
+    Ok(read_all()?
+        .into_iter()
+        .flat_map(|sheet| sheet.steps)
+        .collect())
+}
+
 /// The sheet of this name.
 fn find<'a>(sheets: &'a [Sheet], name: &str) -> Result<&'a Sheet, String> {
     let names: Vec<_> = sheets.iter().map(|sheet| &*sheet.name).collect();

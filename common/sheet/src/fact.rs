@@ -25,6 +25,8 @@ pub struct Fact {
     pub value: f64,
     pub(crate) formula: String,
     pub(crate) within: f64,
+    /// Whether lower values are right, too.
+    pub(crate) or_less: bool,
     /// Why this tolerance.
     pub(crate) because: String,
     pub(crate) hint: String,
@@ -47,11 +49,18 @@ impl Fact {
             value: row.get("value")?,
             formula: row.get("formula")?,
             within: row.get("within")?,
+            or_less: row.find("or_less")?.unwrap_or_default(),
             because: row.get("because")?,
             hint: row.get("hint")?,
         };
         row.end()?;
         Ok(fact)
+    }
+
+    /// Whether this value is right.
+    pub(crate) fn is_right(&self, value: f64) -> bool {
+        let above = value - self.value;
+        above <= self.within && (self.or_less || -above <= self.within)
     }
 
     /// The runs that the fact needs, in the order in which their pictures are drawn.
@@ -122,10 +131,13 @@ fn measure(row: &Row, sheet: &Sheet, run: &Run, size: Size) -> Result<Measure, S
         "least" => Measure::Least(region(row, size)?),
         "edge" => Measure::Edge(line(row, size)?),
         "width" => Measure::Width(line(row, size)?),
-        "spread" => Measure::Spread {
-            region: region(row, size)?,
-            exact: exact(row, sheet, size)?,
-        },
+        "spread" => {
+            let region = region(row, size)?;
+            Measure::Spread {
+                region,
+                exact: exact(row, sheet, size, region)?,
+            }
+        }
         "same" => Measure::Same(same_size(
             row,
             "as",
@@ -154,9 +166,10 @@ fn measure(row: &Row, sheet: &Sheet, run: &Run, size: Size) -> Result<Measure, S
                 return Err(row.error("samples", "must be three or more, each more than the last"));
             }
             let runs: Result<_, _> = samples.iter().map(|n| run_of(row, picture, *n)).collect();
+            let region = region(row, size)?;
             Measure::Slope {
-                region: region(row, size)?,
-                exact: exact(row, sheet, size)?,
+                region,
+                exact: exact(row, sheet, size, region)?,
                 axis: row.find("axis")?.unwrap_or_default(),
                 runs: runs?,
             }
@@ -185,12 +198,24 @@ fn same_size(
     }
 }
 
-fn exact(row: &Row, sheet: &Sheet, size: Size) -> Result<Exact, String> {
+fn exact(row: &Row, sheet: &Sheet, size: Size, region: Region) -> Result<Exact, String> {
     let scene: Option<String> = row.find("exact_scene")?;
-    Ok(match scene {
-        Some(scene) => Exact::Run(same_size(row, "exact_scene", sheet, &scene, size)?),
-        None => Exact::Number(row.get("exact")?),
-    })
+    if let Some(scene) = scene {
+        return Ok(Exact::Run(same_size(
+            row,
+            "exact_scene",
+            sheet,
+            &scene,
+            size,
+        )?));
+    }
+    let exact = row.get("exact")?;
+    match &exact {
+        Exact::Columns(columns) if columns.len() != region.width as usize => {
+            Err(row.error("exact", "must have a number for each column of the region"))
+        }
+        _ => Ok(exact),
+    }
 }
 
 fn region(row: &Row, size: Size) -> Result<Region, String> {
@@ -213,11 +238,14 @@ fn line(row: &Row, size: Size) -> Result<Line, String> {
     let line = Line {
         from: row.get("from")?,
         to: row.get("to")?,
+        lines: row.find("lines")?.unwrap_or(1),
     };
     if line.is_inside(size) {
         Ok(line)
     } else {
-        let problem = format!("must be another point than `from`, both within {size}");
+        let problem = format!(
+            "must be another point than `from`, and all parallel `lines`, an odd number, within {size}"
+        );
         Err(row.error("to", &problem))
     }
 }
@@ -234,6 +262,17 @@ impl Value for Channel {
             "blue" => Some(Self::Blue),
             _ => None,
         }
+    }
+}
+
+impl Value for Exact {
+    fn form() -> String {
+        "a number, or a list of one for each column of the region".to_owned()
+    }
+
+    fn read(value: &DeValue) -> Option<Self> {
+        let number = f64::read(value).map(Self::Number);
+        number.or_else(|| Vec::read(value).map(Self::Columns))
     }
 }
 

@@ -158,10 +158,18 @@ impl Judgement<'_> {
     /// Asks a fact whose pictures are drawn.
     fn ask(&self, fact: &Fact) -> State {
         match self.measure(fact) {
-            Ok(answer) if (answer.value - fact.value).abs() <= fact.within => State::Right(answer),
+            Ok(answer) if fact.is_right(answer.value) => State::Right(answer),
             Ok(answer) => State::Wrong(answer),
             Err(problem) => State::NoAnswer(problem),
         }
+    }
+
+    /// The values of a run's picture that a fact is about.
+    fn values(&self, fact: &Fact, run: &Run) -> Result<Values<'_>, String> {
+        Ok(Values {
+            image: &self.opened(run)?.image,
+            channel: fact.channel,
+        })
     }
 
     fn measure(&self, fact: &Fact) -> Result<Answer, String> {
@@ -169,17 +177,18 @@ impl Judgement<'_> {
         for run in fact.runs() {
             self.opened(run)?;
         }
-        let values = |run: &Run| -> Result<Values<'_>, String> {
-            Ok(Values {
-                image: &self.opened(run)?.image,
-                channel: fact.channel,
-            })
-        };
+        let values = |run: &Run| self.values(fact, run);
         let spread = |run: &Run, region: Region, exact: &Exact| {
             let values = values(run)?;
             Ok::<_, String>(match exact {
                 Exact::Number(number) => values.spread(region, |_| *number),
-                Exact::Run(other) => values.spread_from(region, &self.opened(other)?.image),
+                Exact::Columns(columns) => {
+                    values.spread(region, |(x, _)| columns[(x - region.x) as usize])
+                }
+                Exact::Run(other) => {
+                    let other = self.values(fact, other)?;
+                    values.spread(region, |pixel| other.at(pixel))
+                }
             })
         };
         let mut answer = Answer::default();

@@ -7,11 +7,13 @@ use crate::measure::Values;
 /// The least difference between the ends of an edge: 2 of 255 bytes are noise of rounding.
 const LEAST_STEP: f64 = 2.5 / 255.0;
 
-/// A line from pixel to pixel, whose centres have whole coordinates.
+/// A line from pixel to pixel, whose centres have whole coordinates. Its value at a place is the mean across
+/// several parallel lines, each a pixel beside the last; this one is in their middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     pub from: [f64; 2],
     pub to: [f64; 2],
+    pub lines: u32,
 }
 
 impl Line {
@@ -20,7 +22,10 @@ impl Line {
             let (right, bottom) = (size.width() - 1, size.height() - 1);
             (0.0..=right.into()).contains(&x) && (0.0..=bottom.into()).contains(&y)
         };
-        is_inside(self.from) && is_inside(self.to) && self.length() >= 1.0
+        let length = self.length();
+        let beside = self.beside();
+        let corners = [0.0, length].map(|along| [-beside, beside].map(|b| self.point(along, b)));
+        length >= 1.0 && self.lines % 2 == 1 && corners.as_flattened().iter().all(|p| is_inside(*p))
     }
 
     pub fn length(self) -> f64 {
@@ -28,10 +33,26 @@ impl Line {
         libm::hypot(to[0] - from[0], to[1] - from[1])
     }
 
-    /// The point at this distance from the beginning.
-    pub fn at(self, distance: f64) -> [f64; 2] {
-        let part = distance / self.length();
-        [0, 1].map(|i| self.from[i] + part * (self.to[i] - self.from[i]))
+    /// The distance from the middle to the outermost of the parallel lines.
+    pub fn beside(self) -> f64 {
+        f64::from(self.lines / 2)
+    }
+
+    /// The point at this distance from the beginning, and at this one beside the line.
+    pub fn point(self, along: f64, beside: f64) -> [f64; 2] {
+        let [from, to] = [self.from, self.to];
+        let [dx, dy] = [0, 1].map(|i| (to[i] - from[i]) / self.length());
+        [
+            from[0] + along * dx - beside * dy,
+            from[1] + along * dy + beside * dx,
+        ]
+    }
+
+    /// The mean of the values at this distance from the beginning.
+    fn value(self, values: &Values, along: f64) -> f64 {
+        let beside = |i: u32| f64::from(i) - self.beside();
+        let value = |i: u32| values.between(self.point(along, beside(i)));
+        (0..self.lines).map(value).sum::<f64>() / f64::from(self.lines)
     }
 
     /// Where the value first crosses the middle between its ends.
@@ -55,7 +76,7 @@ impl Line {
         // A point for each pixel, and the end.
         let count = self.length().ceil().max(1.0) as u32;
         let step = self.length() / f64::from(count);
-        let at = |i: u32| values.between(self.at(step * f64::from(i)));
+        let at = |i: u32| self.value(values, step * f64::from(i));
         let course: Vec<_> = (0..=count).map(at).collect();
         let (first, last) = (course[0], course[course.len() - 1]);
         if (last - first).abs() < LEAST_STEP {

@@ -21,7 +21,7 @@ const COLORS: [(&str, Color); 4] = [
 const THICK: i64 = 2;
 const FROM_LINE: f64 = 3.0;
 
-/// How far marks of places on a line reach beyond its frame.
+/// The length of marks of places on a line, outside of its frame.
 const TICK: f64 = 9.0;
 
 /// A marked copy.
@@ -125,43 +125,34 @@ fn frame(image: &mut Image, region: Region, color: Color) {
 
 /// A frame around a line, whose pixels stay as they are.
 fn frame_line(image: &mut Image, line: Line, color: Color) {
-    let along = |offset: f64| (offset, [-FROM_LINE, line.length() + FROM_LINE]);
-    for (offset, [begin, end]) in [along(-FROM_LINE), along(FROM_LINE)] {
-        let mut at = begin;
-        while at <= end {
-            point(image, line, at, offset, color);
-            at += 0.5;
-        }
+    let beside = line.beside() + FROM_LINE;
+    let ends = [-FROM_LINE, line.length() + FROM_LINE];
+    for side in [-beside, beside] {
+        stroke(image, line, ends, [side, side], color);
     }
-    for end in [-FROM_LINE, line.length() + FROM_LINE] {
-        across(image, line, end, -FROM_LINE, FROM_LINE, color);
+    for end in ends {
+        stroke(image, line, [end, end], [-beside, beside], color);
     }
 }
 
 /// Marks on both sides of a place on a line.
 fn tick(image: &mut Image, line: Line, at: f64, color: Color) {
-    across(image, line, at, -FROM_LINE - TICK, -FROM_LINE, color);
-    across(image, line, at, FROM_LINE, FROM_LINE + TICK, color);
-}
-
-fn across(image: &mut Image, line: Line, at: f64, from: f64, to: f64, color: Color) {
-    let mut offset = from;
-    while offset <= to {
-        point(image, line, at, offset, color);
-        offset += 0.5;
+    let beside = line.beside() + FROM_LINE;
+    for side in [-1.0, 1.0] {
+        let across = [side * beside, side * (beside + TICK)];
+        stroke(image, line, [at, at], across, color);
     }
 }
 
-/// Paints the pixel at a distance along a line and across it.
-fn point(image: &mut Image, line: Line, along: f64, across: f64, color: Color) {
-    let [x, y] = line.at(along);
-    let [dx, dy] = [0, 1].map(|i| (line.to[i] - line.from[i]) / line.length());
-    set(
-        image,
-        (x - across * dy).round(),
-        (y + across * dx).round(),
-        color,
-    );
+/// Paints the pixels from one point to another, each given along the line and beside it.
+fn stroke(image: &mut Image, line: Line, along: [f64; 2], beside: [f64; 2], color: Color) {
+    let steps = (2.0 * libm::hypot(along[1] - along[0], beside[1] - beside[0])) as u32 + 1;
+    for step in 0..=steps {
+        let part = f64::from(step) / f64::from(steps);
+        let [along, beside] = [along, beside].map(|[from, to]| from + part * (to - from));
+        let [x, y] = line.point(along, beside);
+        set(image, x.round(), y.round(), color);
+    }
 }
 
 fn set(image: &mut Image, x: f64, y: f64, color: Color) {

@@ -61,6 +61,8 @@ impl Measure {
 #[derive(Debug)]
 pub enum Exact {
     Number(f64),
+    /// A number for each column of the region.
+    Columns(Vec<f64>),
     /// The picture of another run.
     Run(Run),
 }
@@ -106,7 +108,7 @@ pub struct Values<'a> {
 
 impl Values<'_> {
     /// The value of a pixel in the picture.
-    fn at(&self, (x, y): (u32, u32)) -> f64 {
+    pub fn at(&self, (x, y): (u32, u32)) -> f64 {
         let Color { r, g, b } = self.image.get(x, y).unwrap_or_default();
         match self.channel {
             Some(Channel::Red) => r,
@@ -155,16 +157,6 @@ impl Values<'_> {
             sum += error * error;
         }
         (sum / region.pixels().count() as f64).sqrt()
-    }
-
-    /// The root mean square difference from another picture.
-    pub fn spread_from(&self, region: Region, other: &Image) -> f64 {
-        let channel = self.channel;
-        let other = Values {
-            image: other,
-            channel,
-        };
-        self.spread(region, |pixel| other.at(pixel))
     }
 }
 

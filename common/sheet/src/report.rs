@@ -71,7 +71,8 @@ impl Judgement<'_> {
             return lines.join("\n") + "\n";
         };
         let (right, formula) = (text::number(fact.value), &fact.formula);
-        let right = right + &in_picture(fact, fact.value);
+        let or_less = if fact.or_less { " or less" } else { "" };
+        let right = right + &in_picture(fact, fact.value) + or_less;
         add("right", &format!("{right} = {formula}"));
         let (within, because) = (text::number(fact.within), &fact.because);
         add("within", &format!("{within}, because {because}"));
@@ -121,10 +122,15 @@ impl Fact {
         };
         let on = |what: &str, line: &Line| {
             let [[x, y], [to_x, to_y]] = [line.from, line.to];
-            format!("{what} on the line from ({x}, {y}) to ({to_x}, {to_y})")
+            let lines = match line.lines {
+                1 => String::new(),
+                count => format!(", the mean of {count} lines beside each other"),
+            };
+            format!("{what} on the line from ({x}, {y}) to ({to_x}, {to_y}){lines}")
         };
         let error = |exact: &Exact| match exact {
             Exact::Number(number) => format!("root mean square difference from {number}"),
+            Exact::Columns(_) => "root mean square difference from exact columns".to_owned(),
             Exact::Run(run) => format!("root mean square difference from {}", run.words()),
         };
         let words = match &self.measure {
@@ -174,7 +180,7 @@ fn in_picture(fact: &Fact, value: f64) -> String {
             )
         }
         Measure::Edge(line) => {
-            let [x, y] = line.at(value);
+            let [x, y] = line.point(value, 0.0);
             format!(" (at {x:.1}, {y:.1})")
         }
         _ => String::new(),

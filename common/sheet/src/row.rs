@@ -51,6 +51,16 @@ impl Value for f64 {
     }
 }
 
+impl Value for bool {
+    fn form() -> String {
+        "true or false".to_owned()
+    }
+
+    fn read(value: &DeValue) -> Option<Self> {
+        value.as_bool()
+    }
+}
+
 impl<T: Value> Value for Vec<T> {
     fn form() -> String {
         format!("a list, each {}", T::form())

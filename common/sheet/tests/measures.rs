@@ -1,5 +1,6 @@
 //! Each measure, in pictures whose values are known.
 
+use std::fmt::Write;
 use std::path::Path;
 
 use common::{Color, Error, Image, Size, Transfer, picture_file};
@@ -59,7 +60,7 @@ const SCENES: [&str; 10] = [
 ];
 
 /// Keys of a fact, and its value.
-const FACTS: [(&str, f64); 16] = [
+const FACTS: [(&str, f64); 18] = [
     (
         "scene = \"ramp\"\nmeasure = \"mean\"\nregion = [10, 0, 11, 20]",
         60.0 / 255.0,
@@ -105,6 +106,15 @@ const FACTS: [(&str, f64); 16] = [
         "scene = \"ramp\"\nmeasure = \"width\"\nfrom = [0, 5]\nto = [50, 5]",
         40.0,
     ),
+    // The edge is a row lower in each next column, so the mean of three lines rises in three steps.
+    (
+        "scene = \"diagonal\"\nmeasure = \"width\"\nfrom = [8, 2]\nto = [8, 17]\nlines = 3",
+        2.4,
+    ),
+    (
+        "scene = \"noise\"\nmeasure = \"spread\"\nchannel = \"red\"\nexact = [0.3313725490196079, 0.4529411764705883]\nregion = [0, 0, 2, 1]",
+        0.1,
+    ),
     // Down a column: the edge is between rows 8 and 9.
     (
         "scene = \"diagonal\"\nmeasure = \"edge\"\nfrom = [8, 2]\nto = [8, 17]",
@@ -125,22 +135,26 @@ const FACTS: [(&str, f64); 16] = [
     ),
 ];
 
-fn draw(folder: &Path, picture: &Picture, run: &Run) -> Result<Drawn, String> {
+fn draw(folder: &Path, picture: &Picture, run: &Run) -> Drawn {
     let image = image(&picture.scene, picture.size).unwrap();
     let file = folder.join(run.file());
     picture_file::save_png(&file, image.size(), &image.to_rgb8(Transfer::Linear)).unwrap();
-    Ok(Drawn { file, seconds: 0.0 })
+    Drawn { file, seconds: 0.0 }
 }
 
 /// A sheet with facts whose values are changed.
 fn sheet(change: f64) -> Sheet {
     let mut text = HEAD.to_owned();
     for scene in SCENES {
-        text += &format!("[[picture]]\nscene = \"{scene}\"\nsamples = [1]\nsize = [60, 20]\n");
+        let _ = write!(
+            text,
+            "[[picture]]\nscene = \"{scene}\"\nsamples = [1]\nsize = [60, 20]\n"
+        );
     }
     for (number, (keys, value)) in FACTS.iter().enumerate() {
         let value = value + change;
-        text += &format!(
+        let _ = write!(
+            text,
             "[[fact]]\nname = \"fact{number}\"\n{keys}\nvalue = {value:?}\nwithin = 1e-9\nsays = \"s\"\n\
              formula = \"f\"\nbecause = \"b\"\nhint = \"h\"\n"
         );
@@ -154,7 +168,7 @@ fn each_measure_has_its_closed_form() {
     let folder = folder.path();
     let right = sheet(0.0);
     let judgement = judge(&right, Facts::All, &mut |picture, run| {
-        draw(folder, picture, run)
+        Ok(draw(folder, picture, run))
     });
     assert_eq!(judgement.passed(), FACTS.len(), "{}", judgement.report());
     assert_eq!(
@@ -165,7 +179,7 @@ fn each_measure_has_its_closed_form() {
     for change in [-1e-6, 1e-6] {
         let wrong = sheet(change);
         let judgement = judge(&wrong, Facts::All, &mut |picture, run| {
-            draw(folder, picture, run)
+            Ok(draw(folder, picture, run))
         });
         assert_eq!(judgement.passed(), 0, "{}", judgement.report());
     }

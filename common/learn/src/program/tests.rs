@@ -89,9 +89,18 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
     let missing = "testing::missing(\"the hit within the interval\", None)";
     assert!(plane.contains(missing));
     let disc = files::read("a07-transforms/exercises/solutions/disc.rs").unwrap();
-    let done = BTreeMap::from([("plane", plane.replace(missing, code)), ("disc", disc)]);
-    let brought = bring(folder, course, &done).unwrap();
-    assert_eq!(brought.yours, ["plane", "disc"]);
+    let mut done = BTreeMap::from([("plane", plane.replace(missing, code)), ("disc", disc)]);
+    for step in sheet::steps().unwrap() {
+        let e = find(&step).unwrap();
+        let solution = files::read(e.solution).unwrap();
+        // In a workbook without solutions it is a starter.
+        if !solution.contains("testing::missing(") {
+            done.insert(e.name, solution);
+        }
+    }
+    let mut brought = bring(folder, course, &done).unwrap();
+    brought.yours.sort_unstable();
+    assert!(brought.yours.iter().eq(done.keys()), "{:?}", brought.yours);
     let manifest = fs::read_to_string(folder.join(MANIFEST)).unwrap();
     let (quick, _) = manifest.split_once("\n[profile.dev.package.a02").unwrap();
     write(&folder.join(MANIFEST), quick).unwrap();
