@@ -41,7 +41,7 @@ impl Fact {
         let run = run(row, sheet)?;
         let size = picture(row, "scene", sheet, &run.scene)?.size;
         let fact = Self {
-            measure: measure(row, sheet, &run, size)?,
+            measure: measure(row, sheet, size)?,
             name,
             run,
             says: row.get("says")?,
@@ -104,26 +104,46 @@ fn run_of(row: &Row, picture: &Picture, samples: u32) -> Result<Run, String> {
 /// The run of the picture that the fact is about.
 fn run(row: &Row, sheet: &Sheet) -> Result<Run, String> {
     let measure: String = row.get("measure")?;
-    if measure == "growth" {
-        let scenes: Vec<String> = row.get("scenes")?;
-        let last = scenes.last().map_or("", String::as_str);
-        return Ok(picture(row, "scenes", sheet, last)?.last());
+    if let "growth" | "slope" = &*measure {
+        let mut runs = runs(row, sheet)?;
+        return runs.pop().ok_or_else(|| row.error("samples", "is empty"));
     }
     let scene: String = row.get("scene")?;
     let picture = picture(row, "scene", sheet, &scene)?;
-    let samples = if measure == "slope" {
-        row.get::<Vec<u32>>("samples")?.last().copied()
-    } else {
-        row.find("samples")?
-    };
-    match samples {
+    match row.find("samples")? {
         Some(samples) => run_of(row, picture, samples),
         None => Ok(picture.last()),
     }
 }
 
+/// The runs of several scenes, or those of one with more and more samples.
+fn runs(row: &Row, sheet: &Sheet) -> Result<Vec<Run>, String> {
+    let scenes: Option<Vec<String>> = row.find("scenes")?;
+    let mut runs = Vec::new();
+    if let Some(scenes) = &scenes {
+        for scene in scenes {
+            runs.push(picture(row, "scenes", sheet, scene)?.last());
+        }
+    } else {
+        let scene: String = row.get("scene")?;
+        let picture = picture(row, "scene", sheet, &scene)?;
+        for samples in row.get::<Vec<u32>>("samples")? {
+            runs.push(run_of(row, picture, samples)?);
+        }
+    }
+    if runs.len() < 3 || !runs.is_sorted_by(|a, b| a.scene != b.scene || a.samples < b.samples) {
+        let key = if scenes.is_some() {
+            "scenes"
+        } else {
+            "samples"
+        };
+        return Err(row.error(key, "must be three or more, and samples must ascend"));
+    }
+    Ok(runs)
+}
+
 /// What is measured in a picture of this size.
-fn measure(row: &Row, sheet: &Sheet, run: &Run, size: Size) -> Result<Measure, String> {
+fn measure(row: &Row, sheet: &Sheet, size: Size) -> Result<Measure, String> {
     let measure: String = row.get("measure")?;
     Ok(match &*measure {
         "mean" => Measure::Mean(region(row, size)?),
@@ -146,12 +166,9 @@ fn measure(row: &Row, sheet: &Sheet, run: &Run, size: Size) -> Result<Measure, S
             size,
         )?),
         "growth" => {
-            let mut runs = Vec::new();
-            for scene in row.get::<Vec<String>>("scenes")? {
-                runs.push(same_size(row, "scenes", sheet, &scene, size)?);
-            }
-            if runs.len() < 3 {
-                return Err(row.error("scenes", "must name three or more"));
+            let runs = runs(row, sheet)?;
+            for run in &runs {
+                same_size(row, "scenes", sheet, &run.scene, size)?;
             }
             Measure::Growth {
                 region: region(row, size)?,
@@ -159,19 +176,12 @@ fn measure(row: &Row, sheet: &Sheet, run: &Run, size: Size) -> Result<Measure, S
             }
         }
         "slope" => {
-            let picture = picture(row, "scene", sheet, &run.scene)?;
-            let samples: Vec<u32> = row.get("samples")?;
-            let ascends = samples.is_sorted_by(|a, b| 0 < *a && a < b);
-            if samples.len() < 3 || !ascends {
-                return Err(row.error("samples", "must be three or more, each more than the last"));
-            }
-            let runs: Result<_, _> = samples.iter().map(|n| run_of(row, picture, *n)).collect();
             let region = region(row, size)?;
             Measure::Slope {
                 region,
                 exact: exact(row, sheet, size, region)?,
                 axis: row.find("axis")?.unwrap_or_default(),
-                runs: runs?,
+                runs: runs(row, sheet)?,
             }
         }
         other => {

@@ -9,6 +9,7 @@ use crate::judgement::{Answer, Judgement, State};
 use crate::line::Line;
 use crate::marked::mark;
 use crate::measure::{Channel, Exact, Measure, Region};
+use crate::sheet::Run;
 use crate::slope::Axis;
 
 /// The significant digits of a measured value.
@@ -142,9 +143,13 @@ impl Fact {
             Measure::Spread { region, exact } => of(&error(exact), region),
             Measure::Same(other) => format!("pixels that differ from {}", other.words()),
             Measure::Growth { region, runs } => {
-                let scenes: Vec<_> = runs.iter().map(|run| &*run.scene).collect();
+                let runs: Vec<_> = runs.iter().map(Run::words).collect();
                 let steps = "greatest difference between the steps of the mean";
-                of(steps, region) + ", from scene to scene: " + &scenes.join(", ")
+                format!(
+                    "{}, from picture to picture: {}",
+                    of(steps, region),
+                    runs.join("; ")
+                )
             }
             Measure::Slope {
                 region,
