@@ -210,7 +210,7 @@ fn each_program_gets_a_sentence() {
     }
 
     let (printed, _) = learn(&["glass", "mine"], "another place");
-    let words = "marked    out/sheets/glass/edge-1.marked.png: the line in";
+    let words = "marked    out/sheets/glass/edge-1.marked.png: the line and the edge in";
     assert!(printed.contains(words), "{printed}");
     let marked = Path::new(FOLDER).join("out/sheets/glass/edge-1.marked.png");
     let marked = picture_file::open(&marked).unwrap();

@@ -39,7 +39,9 @@ fn main() -> Result<(), Problem> {
     println!("cargo::rerun-if-changed=wrong");
     for file in files_in(&answers.join("wrong"))? {
         let sheet = file.file_stem().unwrap_or_default().to_string_lossy();
-        let right = fs::read_to_string(answers.join(format!("first/{sheet}.rs")))?;
+        let right = answers.join(format!("first/{sheet}.rs"));
+        let right = fs::read_to_string(right);
+        let right = right.map_err(|error| format!("first/{sheet}.rs: {error}"))?;
         let texts = wrong_answers(&right, &fs::read_to_string(&file)?);
         let texts = texts.map_err(|problem| format!("wrong/{sheet}.toml, {problem}"))?;
         for (number, text) in texts.iter().enumerate() {

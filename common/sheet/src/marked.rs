@@ -45,13 +45,13 @@ pub fn mark(
         (Measure::Edge(line) | Measure::Width(line), _) => {
             let [first, second] = contrasts(&image, bounds(*line));
             frame_line(&mut image, *line, first.1);
-            if let (Measure::Edge(_), Some(answer)) = (&fact.measure, answer) {
+            if let Measure::Edge(_) = fact.measure {
                 tick(&mut image, *line, fact.value, second.1);
-                tick(&mut image, *line, answer.value, first.1);
+                if let Some(answer) = answer {
+                    tick(&mut image, *line, answer.value, first.1);
+                }
                 let (first, second) = (first.0, second.0);
-                format!(
-                    "the line in {first} with the place that is measured, in {second} the right one"
-                )
+                format!("the line and the edge in {first}, its right place in {second}")
             } else {
                 format!("the line in {}", first.0)
             }

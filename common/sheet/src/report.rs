@@ -53,8 +53,9 @@ impl Judgement<'_> {
     }
 
     fn failure(&self, fact: &Fact) -> String {
-        let mut lines = vec![format!("not: {}", fact.says)];
+        let mut lines = vec![format!("{}: not yet", fact.name)];
         let mut add = |name: &str, words: &str| lines.push(format!("  {name:9} {words}"));
+        add("fact", &fact.says);
         let answer = match self.state(fact) {
             State::Right(answer) | State::Wrong(answer) => Some(answer),
             State::NoAnswer(_) | State::NotAsked => None,
@@ -72,9 +73,9 @@ impl Judgement<'_> {
             return lines.join("\n") + "\n";
         };
         let (right, formula) = (text::number(fact.value), &fact.formula);
-        let or_less = if fact.or_less { " or less" } else { "" };
-        let right = right + &in_picture(fact, fact.value) + or_less;
-        add("right", &format!("{right} = {formula}"));
+        let or_less = if fact.or_less { ", or less" } else { "" };
+        let right = right + &in_picture(fact, fact.value);
+        add("right", &format!("{right} = {formula}{or_less}"));
         let (within, because) = (text::number(fact.within), &fact.because);
         add("within", &format!("{within}, because {because}"));
         add("hint", &fact.hint);
