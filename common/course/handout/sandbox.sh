@@ -1,16 +1,18 @@
 # Runs a program that nobody trusts, with limits:
-#   sh sandbox.sh all|build|check FOLDER PROGRAM...
-# in FOLDER/workbook. To compile it may write to FOLDER/target, otherwise nowhere. With
-# bubblewrap it sees the folder as /course, Rust and the system's programs, and no network.
+#   sh sandbox.sh all|build|check|picture workbook|program FOLDER PROGRAM...
+# in FOLDER/workbook or FOLDER/program. To compile it may write to FOLDER/target, to draw a picture to
+# FOLDER/pictures, otherwise nowhere. With bubblewrap it sees the folder as /course, Rust and the system's programs, and no network.
 # Its output is in FOLDER/output. The student's program prints its answers there, too.
-kind=$1 folder=$2
-shift 2
+kind=$1 place=$2 folder=$3
+shift 3
 # Seconds of processor time of a process, of which the whole may take three times as long; MiB of
 # memory of a process, and of a file; processes and threads.
 case $kind in
     all) seconds=1200 memory=8192 file=1024 processes=256 ;;
     build) seconds=60 memory=4096 file=256 processes=128 ;;
     check) seconds=10 memory=1024 file=64 processes=32 ;;
+    # The sheet says how long a picture may take, here on two processors.
+    picture) seconds=$((2 * PICTURE_SECONDS)) memory=2048 file=64 processes=32 ;;
 esac
 rust=$(rustc --print sysroot)
 cargo=${CARGO_HOME:-$HOME/.cargo}
@@ -19,7 +21,8 @@ path=/usr/bin:/bin
 limits="ulimit -c 0; ulimit -t $seconds; ulimit -v $((memory * 1024)); ulimit -f $((file * 2048))"
 run='exec "$@"'
 clean="env -i EXERCISE_PRINTED=yours RAYON_NUM_THREADS=2"
-late="timeout -s KILL $((3 * seconds))"
+[ "$kind" = picture ] && late=$seconds || late=$((3 * seconds))
+late="timeout -s KILL $late"
 
 alone='bwrap --unshare-pid --unshare-net --unshare-ipc --unshare-uts --die-with-parent
     --new-session --proc /proc --dev /dev --cap-drop ALL --ro-bind /usr /usr
@@ -42,7 +45,7 @@ if ! $alone true 2>/dev/null; then
             "throw away" >&2
     fi
     exec >"$folder/output" 2>&1
-    cd "$folder/workbook" || exit
+    cd "$folder/$place" || exit
     # A limit of processes would count all those of the user.
     exec $clean PATH="$rust/bin:$path" CARGO_HOME="$cargo" CARGO_TARGET_DIR="$folder/target" \
         TMPDIR="$folder/target" $late sh -c "$limits; $run" sh "$@"
@@ -52,8 +55,9 @@ exec >"$folder/output" 2>&1
 limits="$limits; ulimit -u $processes 2>/dev/null || ulimit -p $processes"
 set -- sh -c "$limits; $run" sh "$@"
 case $kind in
-    check) set -- --remount-ro / --chdir /course/workbook $nobody "$@" ;;
-    *) set -- --bind "$folder/target" /course/target --chdir /course/workbook "$@" ;;
+    check) set -- --remount-ro / --chdir "/course/$place" $nobody "$@" ;;
+    picture) set -- --bind "$folder/pictures" /course/pictures --remount-ro / --chdir "/course/$place" $nobody "$@" ;;
+    *) set -- --bind "$folder/target" /course/target --chdir "/course/$place" "$@" ;;
 esac
 exec $clean PATH="/rust/bin:$path" CARGO_HOME="$cargo" CARGO_TARGET_DIR=/course/target \
     TMPDIR=/course/target $late $alone --ro-bind "$rust" /rust \

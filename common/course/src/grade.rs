@@ -11,7 +11,9 @@ use crate::grading_folder::GradingFolder;
 use crate::handout::Handout;
 use crate::judge::judge;
 use crate::outcome::{Graded, Judged, Outcome, State};
+use crate::own_program;
 use crate::results;
+use crate::sheet;
 use crate::submission::{self, Found, Submission};
 
 /// Judges what students hand in, with limits
@@ -27,7 +29,10 @@ pub struct Grade {
     /// The exercises that count [default: all of the stages]
     #[arg(long, value_name = "NAME,NAME", value_delimiter = ',', value_parser = exercise::find)]
     exercises: Vec<&'static Exercise>,
-    /// Also writes results.csv and a text for each student into this folder
+    /// The open sheets that count; exercises then only if they are named, too
+    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
+    sheets: Vec<String>,
+    /// Also writes results.csv, a text for each student, and a page of all pictures into this folder
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
@@ -40,7 +45,9 @@ impl Grade {
             let instead = "on Windows use WSL, on macOS a virtual machine or a container";
             return Err(format!("files are judged on Linux only; {instead}"));
         }
-        if self.exercises.is_empty() {
+        let sheets = sheet::chosen(&self.sheets)?;
+        let sets_exercises = sheets.is_empty() || self.until.is_some();
+        if self.exercises.is_empty() && sets_exercises {
             self.exercises
                 .extend(exercises(course, self.until.as_ref())?);
         }
@@ -51,7 +58,15 @@ impl Grade {
         }
         let submissions = submission::read(&self.paths, course);
         let submissions = submissions.map_err(|error| format!("a folder: {error}"))?;
+        let mut programs = Vec::new();
+        if !sheets.is_empty() {
+            programs =
+                own_program::find(&self.paths).map_err(|error| format!("a folder: {error}"))?;
+        }
         let folder = self.prepare(course)?;
+        if !sheets.is_empty() {
+            own_program::prepare(&folder)?;
+        }
         if self.paths.is_empty() {
             let faulty = folder.faulty();
             return if faulty.is_empty() {
@@ -61,16 +76,26 @@ impl Grade {
             };
         }
         let mut graded = Vec::new();
-        let mut unclear = Vec::new();
-        for submission in &submissions {
-            let student = self.judge_all(submission, &folder);
-            print!("{}", results::text(&student));
-            let needs_a_look = |judged: &Judged| judged.outcome.state == State::NeedsALook;
-            if student.results.iter().any(needs_a_look) {
-                unclear.push(student.name.clone());
+        if !self.exercises.is_empty() {
+            for submission in &submissions {
+                let student = self.judge_all(submission, &folder);
+                print!("{}", results::text(&student));
+                graded.push(student);
             }
-            graded.push(student);
         }
+        for programs in programs.chunk_by(|a, b| a.student == b.student) {
+            let student = sheet::judge_all(programs, &sheets, &folder, self.output.as_deref());
+            print!("{}", results::text(&student));
+            match graded.iter_mut().find(|other| other.name == student.name) {
+                Some(other) => other.results.extend(student.results),
+                None => graded.push(student),
+            }
+        }
+        let needs_a_look = |judged: &Judged| judged.outcome.state == State::NeedsALook;
+        let unclear = graded
+            .iter()
+            .filter(|student| student.results.iter().any(needs_a_look));
+        let unclear: Vec<_> = unclear.map(|student| student.name.clone()).collect();
         if let Some(folder) = &self.output {
             results::write(folder, &graded)?;
         }
@@ -104,8 +129,10 @@ impl Grade {
                 }
             };
             results.push(Judged {
-                exercise: e,
+                stage: e.stage,
+                name: e.name.to_owned(),
                 file,
+                pictures: Vec::new(),
                 note: about,
                 outcome,
             });

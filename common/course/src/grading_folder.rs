@@ -13,7 +13,7 @@ use std::process::Command;
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
-use crate::sandbox::{End, Ended, Limits, Sandbox};
+use crate::sandbox::{End, Ended, Limits, Place, Sandbox};
 
 /// The files of a workbook by their paths.
 pub type Workbook = BTreeMap<String, Vec<u8>>;
@@ -96,7 +96,7 @@ impl GradingFolder {
             .map(str::to_owned)
             .to_vec();
         build.extend(learn::arguments(e));
-        let built = self.sandbox.run(limits, build);
+        let built = self.sandbox.run(limits, Place::Workbook, build);
         fs::remove_file(&file).map_err(with_path(&file))?;
         built
     }

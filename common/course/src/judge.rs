@@ -10,7 +10,7 @@ use learn::files;
 use crate::grading_folder::GradingFolder;
 use crate::outcome::{Outcome, State};
 use crate::refusal::refusal;
-use crate::sandbox::{End, Limits};
+use crate::sandbox::{End, Limits, Place};
 
 /// Judges the text of a student's file. Faults of the grader end no grading: the file needs a look.
 pub fn judge(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Outcome {
@@ -56,7 +56,7 @@ fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Ou
         _ => return Ok(wrong(&sandbox.words(&built, "does not compile"))),
     }
     let program = learn::find_program(&built.output, "test")?;
-    let ended = sandbox.run(Limits::Check, [program])?;
+    let ended = sandbox.run(Limits::Check, Place::Workbook, [program])?;
     let message = sandbox.words(&ended, "not yet");
     let file = format!("{}/exercises/answers/{}.txt", e.stage, e.name);
     let record = Record::read(&files::read(&file)?)?;

@@ -8,9 +8,12 @@ mod hand_in;
 mod handout;
 mod judge;
 mod outcome;
+mod own_program;
+mod picture_page;
 mod refusal;
 mod results;
 mod sandbox;
+mod sheet;
 mod students_file;
 mod submission;
 

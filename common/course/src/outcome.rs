@@ -1,6 +1,4 @@
-//! `Outcome`: what became of an exercise in a submission.
-
-use learn::exercise::Exercise;
+//! `Outcome`: what became of an exercise or an open sheet in a submission.
 
 /// What is known about an exercise of a submission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,11 +61,15 @@ impl Outcome {
     }
 }
 
-/// An exercise of a submission, judged.
+/// An exercise or a sheet of a submission, judged.
 pub struct Judged {
-    pub exercise: &'static Exercise,
-    /// The student's file; empty if there is none.
+    /// The stage of the exercise, or `sheet`.
+    pub stage: &'static str,
+    pub name: String,
+    /// The student's file, or the folder of the program; empty if there is none.
     pub file: String,
+    /// The pictures that are kept, from the folder of the results.
+    pub pictures: Vec<String>,
     /// What a lecturer has to know about the file, such as that it is late.
     pub note: String,
     pub outcome: Outcome,

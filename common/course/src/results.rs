@@ -8,6 +8,7 @@ use std::path::Path;
 use learn::files::with_path;
 
 use crate::outcome::{Graded, Judged, State};
+use crate::picture_page::page;
 
 /// The most characters of a message.
 const MESSAGE: usize = 2000;
@@ -33,6 +34,9 @@ pub fn write(folder: &Path, graded: &[Graded]) -> Result<(), String> {
         fs::write(&file, text).map_err(with_path(&file))
     };
     write("results.csv", &table(graded))?;
+    if let Some(page) = page(graded) {
+        write("pictures.html", &page)?;
+    }
     let mut taken = BTreeSet::new();
     for student in graded {
         let mut name = file_name(&student.name);
@@ -45,7 +49,7 @@ pub fn write(folder: &Path, graded: &[Graded]) -> Result<(), String> {
 }
 
 /// A name for a file, which is in no other folder.
-fn file_name(name: &str) -> String {
+pub fn file_name(name: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || " -_().,".contains(c);
     let name: String = name
         .chars()
@@ -67,12 +71,13 @@ pub fn text(student: &Graded) -> String {
     let mut text = format!("{}: {}\n", student.name, counts.join(", "));
     for judged in &student.results {
         let Judged {
-            exercise,
+            name,
             file,
             note,
             outcome,
+            ..
         } = judged;
-        let _ = write!(text, "  {}: {}", exercise.name, outcome.state.words());
+        let _ = write!(text, "  {name}: {}", outcome.state.words());
         for about in [file, note] {
             if !about.is_empty() {
                 let _ = write!(text, ", {about}");
@@ -99,8 +104,8 @@ fn table(graded: &[Graded]) -> String {
             };
             table += &row(&[
                 &student.name,
-                judged.exercise.stage,
-                judged.exercise.name,
+                judged.stage,
+                &judged.name,
                 outcome.state.words(),
                 &fraction,
                 &outcome.mistake,
@@ -139,15 +144,16 @@ mod tests {
 
     #[test]
     fn a_spreadsheet_and_a_student_read_the_results() {
-        let exercise = learn::exercise::find("sphere").unwrap();
         let outcome = Outcome {
             fraction: 0.999,
             mistake: "=1+1".to_owned(),
             ..Outcome::without_answers(State::Wrong, "a \"b\"\nc\u{1b}")
         };
         let judged = Judged {
-            exercise,
+            stage: "a04-intersections",
+            name: "sphere".to_owned(),
             file: "sphere.rs".to_owned(),
+            pictures: Vec::new(),
             note: "late".to_owned(),
             outcome,
         };

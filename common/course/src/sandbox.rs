@@ -14,12 +14,22 @@ const SCRIPT: &str = include_str!("../handout/sandbox.sh");
 /// Where a program sees the folder, if bubblewrap runs.
 const INSIDE: &str = "/course";
 
-/// What may run: the first build of the workbook, that of a student's file, or its program.
+/// What may run: the first build of the workbook, that of a student's file, its program, or one that draws a
+/// picture within some seconds.
 #[derive(Clone, Copy)]
 pub enum Limits {
     All,
     Build,
     Check,
+    Picture { seconds: u32 },
+}
+
+/// Where it runs.
+#[derive(Clone, Copy)]
+pub enum Place {
+    Workbook,
+    /// The folder of a student's own program.
+    Program,
 }
 
 /// How a program ends.
@@ -40,7 +50,7 @@ pub struct Ended {
     pub output: String,
 }
 
-/// A folder with the `workbook` and the `target` of its builds. One program runs in it at a time.
+/// A folder with the `workbook`, a student's own `program`, its `pictures`, and the `target` of builds. One program runs in it at a time.
 pub struct Sandbox {
     pub folder: PathBuf,
 }
@@ -50,16 +60,25 @@ impl Sandbox {
     pub fn run(
         &self,
         limits: Limits,
+        place: Place,
         program: impl IntoIterator<Item: AsRef<OsStr>>,
     ) -> Result<Ended, String> {
+        let mut sandbox = Command::new("sh");
         let limits = match limits {
             Limits::All => "all",
             Limits::Build => "build",
             Limits::Check => "check",
+            Limits::Picture { seconds } => {
+                sandbox.env("PICTURE_SECONDS", seconds.to_string());
+                "picture"
+            }
         };
-        let mut sandbox = Command::new("sh");
+        let place = match place {
+            Place::Workbook => "workbook",
+            Place::Program => "program",
+        };
         sandbox
-            .args(["-c", SCRIPT, "sh", limits])
+            .args(["-c", SCRIPT, "sh", limits, place])
             .arg(&self.folder)
             .args(program)
             .stdin(Stdio::null());
@@ -101,12 +120,12 @@ impl Sandbox {
     }
 
     /// A text that names no folder of the grader.
-    fn without_place(&self, text: &str) -> String {
+    pub fn without_place(&self, text: &str) -> String {
         let folder = self.folder.display().to_string();
         let lecturers = files::workspace().display().to_string();
         let mut text = text.to_owned();
         for place in [&*folder, INSIDE] {
-            for part in ["/workbook/", "/target/"] {
+            for part in ["/workbook/", "/program/", "/target/"] {
                 text = text.replace(&[place, part].concat(), "");
             }
         }
@@ -156,6 +175,7 @@ mod tests {
             "cannot write {}/workbook/out/a.png\n\
              {INSIDE}/workbook/a01/exercises/a.rs:1\n\
              {INSIDE}/target/debug/a\n\
+             {INSIDE}/program/src/a.rs\n\
              {workspace}/book/src/a.md\n\
              {}the answers",
             folder.display(),
@@ -166,8 +186,7 @@ mod tests {
             output,
         };
         let words = Sandbox { folder }.words(&ended, "not yet");
-        let without =
-            "not yet\ncannot write out/a.png\na01/exercises/a.rs:1\ndebug/a\nbook/src/a.md";
+        let without = "not yet\ncannot write out/a.png\na01/exercises/a.rs:1\ndebug/a\nsrc/a.rs\nbook/src/a.md";
         assert_eq!(words, without);
     }
 }

@@ -79,7 +79,7 @@ pub fn read(places: &[PathBuf], course: &'static [Exercise]) -> io::Result<Vec<S
 }
 
 /// The name of a folder or zip file; of another file, those of its folder and of the file.
-fn root(place: &Path) -> io::Result<Vec<String>> {
+pub fn root(place: &Path) -> io::Result<Vec<String>> {
     let place = place.canonicalize()?;
     let mut names = Vec::new();
     for part in &place {

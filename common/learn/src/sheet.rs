@@ -43,7 +43,11 @@ impl Command {
 }
 
 /// The sheets of the workbook, in the order in which they are set.
-fn read_all() -> Result<Vec<Sheet>, String> {
+///
+/// # Errors
+///
+/// Fails if one cannot be read, with the file, the row and the key.
+pub fn read_all() -> Result<Vec<Sheet>, String> {
     let mut sheets = Vec::new();
     for name in NAMES {
         let file = format!("{SHEETS}/{name}.toml");
@@ -63,7 +67,11 @@ pub(crate) fn steps() -> Result<Vec<String>, String> {
 }
 
 /// The sheet of this name.
-fn find<'a>(sheets: &'a [Sheet], name: &str) -> Result<&'a Sheet, String> {
+///
+/// # Errors
+///
+/// Fails if there is none; the error has the nearest name.
+pub fn find<'a>(sheets: &'a [Sheet], name: &str) -> Result<&'a Sheet, String> {
     let names: Vec<_> = sheets.iter().map(|sheet| &*sheet.name).collect();
     let found = sheets.iter().find(|sheet| sheet.name == name);
     found.ok_or_else(|| {

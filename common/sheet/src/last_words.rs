@@ -1,8 +1,22 @@
-//! Why a program has ended with an error, from what it has printed.
+//! What is said about a program that has drawn no picture.
+
+use std::path::Path;
 
 use common::text;
 
-/// Why a program has ended with an error, as a sentence about it.
+/// The sentence about a program that ends well without a picture, but perhaps with another one.
+#[must_use]
+pub fn no_picture(other: Option<&Path>) -> String {
+    let other = other.map_or(String::new(), |other| {
+        format!(", but {}", text::path(other))
+    });
+    format!(
+        "the program writes no picture into the file after -o{other}: does `main` begin with the lines of \
+         book/src/part-two.md?"
+    )
+}
+
+/// Why a program has ended with an error, from what it has printed, as a sentence about it.
 #[must_use]
 pub fn last_words(printed: &str) -> String {
     if printed.contains("has overflowed its stack") {

@@ -18,7 +18,7 @@ mod slope;
 
 pub use fact::Fact;
 pub use judgement::{Drawn, Facts, Judgement, State, judge};
-pub use last_words::last_words;
+pub use last_words::{last_words, no_picture};
 pub use sheet::{Picture, Run, Sheet};
 
 /// The names of the sheets, in the order in which they are set.

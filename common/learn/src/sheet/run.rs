@@ -6,13 +6,11 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime};
 use std::{env, fs, io};
 
-use ::sheet::{Drawn, Picture, Run, last_words};
-use common::text;
-
 use crate::files::with_path;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::run;
+use ::sheet::{Drawn, Picture, Run, last_words, no_picture};
 
 /// The most memory of a program. Windows and macOS do not hold this limit.
 const KIB: u32 = 2 << 20;
@@ -80,14 +78,7 @@ impl Program {
                 seconds: elapsed,
             });
         }
-        let other = self.picture_since(began);
-        let other = other.map_or(String::new(), |other| {
-            format!(", but {}", text::path(&other))
-        });
-        Err(format!(
-            "the program writes no picture into the file after -o{other}: does `main` begin with the lines of \
-             book/src/part-two.md?"
-        ))
+        Err(no_picture(self.picture_since(began).as_deref()))
     }
 
     /// A picture that the program has written into its own folder.
