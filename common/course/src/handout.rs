@@ -33,6 +33,13 @@ const PARTS: [&str; 14] = [
     ":(exclude)common/sheet/answers",
 ];
 
+/// What a handout lacks that ends before the last stage.
+const PART_TWO: [&str; 3] = [
+    ":(exclude)common/sheet/sheets",
+    ":(exclude)book/src/part-two.md",
+    ":(exclude)book/src/*sheet-*",
+];
+
 /// Writes a workbook for students
 #[derive(clap::Args, Default)]
 pub struct Handout {
@@ -111,6 +118,9 @@ fn paths(above: &[Exercise]) -> Result<Vec<String>, String> {
         "--exclude-standard",
     ]);
     git.args(PARTS);
+    if !above.is_empty() {
+        git.args(PART_TWO);
+    }
     for e in above {
         git.arg(format!(":(exclude)*{}-*", &e.stage[..3]));
     }

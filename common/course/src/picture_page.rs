@@ -11,7 +11,7 @@ const BEGINNING: &str = "<!doctype html>
 body { font-family: sans-serif; margin: 1rem }
 figure { display: inline-block; margin: 0 .5rem .5rem 0; vertical-align: top }
 figcaption { font-size: .8rem; color: #555; max-width: 16rem; overflow-wrap: anywhere }
-img { height: 12rem; image-rendering: pixelated }
+img { height: 12rem }
 </style>
 <h1>Pictures of the class</h1>
 ";

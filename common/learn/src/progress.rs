@@ -13,6 +13,7 @@ use common::{atomic_file, fnv1a};
 
 use crate::exercise::Exercise;
 use crate::files;
+use crate::sheet;
 
 const FILE: &str = ".learn";
 
@@ -144,7 +145,8 @@ impl Progress {
         let mut lines: Vec<_> = course.iter().map(|e| self.row(e)).collect();
         lines.push(String::new());
         lines.push(self.summary(course));
-        if course.iter().all(|e| !e.is_core || self.is_done(e)) {
+        let is_path_done = course.iter().all(|e| !e.is_core || self.is_done(e));
+        if is_path_done && sheet::has_sheets() {
             lines.push(PART_TWO.to_owned());
         }
         lines.join("\n")

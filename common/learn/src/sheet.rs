@@ -58,6 +58,11 @@ pub fn read_all() -> Result<Vec<Sheet>, String> {
     Ok(sheets)
 }
 
+/// Whether this workbook goes as far as part two.
+pub(crate) fn has_sheets() -> bool {
+    files::shortest(SHEETS).is_dir()
+}
+
 /// The exercises whose functions move into the student's program for a sheet.
 pub(crate) fn steps() -> Result<Vec<String>, String> {
     Ok(read_all()?
@@ -178,5 +183,27 @@ impl Program {
         Ok(judge(sheet, facts, &mut |picture, run| {
             self.draw(picture, run, &mut told(&format!(": {}", run.words())))
         }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise;
+
+    #[test]
+    fn sheets_have_their_pages_and_exercises() {
+        let summary = files::read("book/src/SUMMARY.md").unwrap();
+        for sheet in read_all().unwrap() {
+            let Sheet { page, steps, .. } = sheet;
+            assert!(summary.contains(&format!("({page})")), "{page}");
+            assert!(
+                files::shortest(&format!("book/src/{page}")).exists(),
+                "{page}"
+            );
+            for step in steps {
+                exercise::find(&step).unwrap();
+            }
+        }
     }
 }
