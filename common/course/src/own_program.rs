@@ -1,8 +1,11 @@
 //! `OwnProgram`: a student's own program, a folder with `Cargo.toml`, `src` and `sheet.txt`, whose text names the
 //! open sheets that it is handed in for.
 
+mod manifest;
+#[cfg(test)]
+mod tests;
+
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -10,31 +13,18 @@ use std::process::Command;
 
 use common::text;
 use learn::files::with_path;
-use toml::de::{DeTable, DeValue};
 
 use crate::file_name::split_time;
 use crate::grading_folder::{GradingFolder, output_of};
 use crate::hand_in::{Content, HandedFile, files_in, is_zip};
 use crate::sandbox::{End, Ended, Limits, Place};
 use crate::submission::root;
+use manifest::{MANIFEST, manifest};
 
-const MANIFEST: &str = "Cargo.toml";
 const SHEETS: &str = "sheet.txt";
 
 /// A program that does nothing.
 const EMPTY: &str = "fn main() {}\n";
-
-/// The workbook's crates that a program may use. All programs are built with all of them, which are built once.
-const CRATES: [&str; 8] = [
-    "common",
-    "a01-image-display",
-    "a02-math",
-    "a03-rays-cameras",
-    "a04-intersections",
-    "a05-lighting",
-    "a06-shadows-reflection",
-    "a07-transforms",
-];
 
 /// A student's own program.
 #[derive(Debug, Default)]
@@ -198,146 +188,4 @@ fn build(
     output_of(cargo.current_dir(&root))?;
     let words = "cargo build --release --offline --quiet --message-format json-render-diagnostics";
     folder.sandbox.run(limits, Place::Program, words.split(' '))
-}
-
-/// The manifest with which the grader builds a program: its own paths to the workbook's crates, and the student's
-/// other libraries. Build scripts and profiles stay behind.
-fn manifest(students: &str) -> Result<String, String> {
-    let table = DeTable::parse(students).map_err(|error| format!("{MANIFEST}: {error}"))?;
-    let section = |name: &str| {
-        table
-            .get_ref()
-            .get(name)
-            .and_then(|table| table.get_ref().as_table())
-    };
-    let package =
-        |key: &str| section("package").and_then(|table| table.get(key)?.get_ref().as_str());
-    let name = package("name").unwrap_or("program");
-    let edition = package("edition").unwrap_or("2024");
-    let mut manifest = format!(
-        "[package]\nname = {name:?}\nedition = {edition:?}\n\n[workspace]\n\n[dependencies]\n"
-    );
-    for name in CRATES {
-        let features = if name == "common" {
-            ""
-        } else {
-            ", default-features = false"
-        };
-        let _ = writeln!(
-            manifest,
-            "{name} = {{ path = \"../workbook/{name}\"{features} }}"
-        );
-    }
-    let mut libraries = BTreeMap::from([("libm", "\"0.2\"".to_owned())]);
-    for (name, value) in section("dependencies").into_iter().flatten() {
-        let name = &**name.get_ref();
-        if !CRATES.contains(&name) {
-            libraries.insert(name, library(name, value.get_ref())?);
-        }
-    }
-    for (name, value) in libraries {
-        let _ = writeln!(manifest, "{name:?} = {value}");
-    }
-    Ok(manifest)
-}
-
-/// A library from outside, with its version and features.
-fn library(name: &str, value: &DeValue) -> Result<String, String> {
-    let table = value.as_table();
-    let of_table = |key: &str| table.and_then(|table| Some(table.get(key)?.get_ref()));
-    let version = value.as_str().or_else(|| of_table("version")?.as_str());
-    let Some(version) = version else {
-        let problem = "is handed in by its version only, and no path";
-        return Err(format!(
-            "{MANIFEST}: the library {} {problem}",
-            text::name(name)
-        ));
-    };
-    let mut features = Vec::new();
-    for feature in of_table("features")
-        .and_then(DeValue::as_array)
-        .into_iter()
-        .flatten()
-    {
-        features.extend(feature.get_ref().as_str());
-    }
-    let default = of_table("default-features").and_then(DeValue::as_bool) != Some(false);
-    Ok(format!(
-        "{{ version = {version:?}, features = {features:?}, default-features = {default} }}"
-    ))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const MANIFEST_OF_ADA: &str = "[package]\nname = \"ada\"\nedition = \"2021\"\nbuild = \"evil.rs\"\n\
-        [dependencies]\nlibm = \"0.2.1\"\ncommon = { path = \"/home/ada/common\" }\n\
-        rand = { version = \"0.9\", default-features = false, features = [\"std\"] }\n";
-
-    /// The programs in a folder: students, folders, sheets and problems.
-    fn found(files: &[(&str, &str)]) -> Vec<String> {
-        let folder = tempfile::tempdir().unwrap();
-        for (path, text) in files {
-            let file = folder.path().join("class").join(path);
-            fs::create_dir_all(file.parent().unwrap()).unwrap();
-            fs::write(file, text).unwrap();
-        }
-        let mut lines = Vec::new();
-        for program in find(&[folder.path().join("class")]).unwrap() {
-            let problem = program.problem.unwrap_or_default();
-            let (student, folder, sheets) = (program.student, program.folder, program.sheets);
-            lines.push(format!("{student}|{folder}|{}|{problem}", sheets.join(" ")));
-        }
-        lines
-    }
-
-    #[test]
-    fn programs_are_found_by_their_files() {
-        let of_two = [
-            ("ada/my-tracer/Cargo.toml", MANIFEST_OF_ADA),
-            ("ada/my-tracer/sheet.txt", "glass\nlens\n"),
-            ("ada/my-tracer/src/main.rs", EMPTY),
-            ("ada/my-tracer/own-library/Cargo.toml", MANIFEST_OF_ADA),
-            ("Bob 2026-11-04 09-01/Cargo.toml", MANIFEST_OF_ADA),
-        ];
-        assert_eq!(
-            found(&of_two),
-            [
-                "Bob|Bob 2026-11-04 09-01||it has no sheet.txt, which names the sheet",
-                "ada|ada/my-tracer|glass lens|",
-            ]
-        );
-        assert_eq!(found(&of_two[..3]), ["ada|ada/my-tracer|glass lens|"]);
-        let here = [("sheet.txt", "glass")];
-        assert_eq!(found(&here), ["class||glass|it has no Cargo.toml"]);
-    }
-
-    #[test]
-    fn a_manifest_keeps_libraries_and_neither_paths_nor_scripts() {
-        let manifest = manifest(MANIFEST_OF_ADA).unwrap();
-        for line in [
-            "name = \"ada\"",
-            "edition = \"2021\"",
-            "common = { path = \"../workbook/common\" }",
-            "a07-transforms = { path = \"../workbook/a07-transforms\", default-features = false }",
-            "\"libm\" = { version = \"0.2.1\", features = [], default-features = true }",
-            "\"rand\" = { version = \"0.9\", features = [\"std\"], default-features = false }",
-        ] {
-            assert!(
-                manifest.lines().any(|found| found == line),
-                "{line}: {manifest}"
-            );
-        }
-        assert!(
-            !manifest.contains("evil") && !manifest.contains("/home"),
-            "{manifest}"
-        );
-        let own = "[dependencies]\nmine = { path = \"../mine\" }\n";
-        assert!(
-            super::manifest(own)
-                .unwrap_err()
-                .contains("the library mine")
-        );
-    }
 }

@@ -25,6 +25,9 @@ pub struct Command {
     name: Option<String>,
     /// The folder of your program, which is built and asked for the pictures of the sheet
     folder: Option<PathBuf>,
+    /// Asks all facts, also after one that fails
+    #[arg(long, requires = "folder")]
+    all: bool,
 }
 
 impl Command {
@@ -37,7 +40,14 @@ impl Command {
         let sheet = find(&sheets, name)?;
         match &self.folder {
             None => Ok(Screen::new().wrap(&about(sheet))),
-            Some(folder) => judge_program(sheet, folder),
+            Some(folder) => {
+                let facts = if self.all {
+                    Facts::All
+                } else {
+                    Facts::UntilOneFails
+                };
+                judge_program(sheet, folder, facts)
+            }
         }
     }
 }
@@ -138,7 +148,7 @@ fn about(sheet: &Sheet) -> String {
 }
 
 /// Builds the program, asks its pictures the facts, and prints what they say. The last words count the facts.
-fn judge_program(sheet: &Sheet, folder: &Path) -> Result<String, String> {
+fn judge_program(sheet: &Sheet, folder: &Path, facts: Facts) -> Result<String, String> {
     let shown = text::path(folder);
     if !folder.join(MANIFEST).is_file() {
         return Err(format!(
@@ -161,7 +171,7 @@ fn judge_program(sheet: &Sheet, folder: &Path) -> Result<String, String> {
         pictures: files::shortest(&pictures),
         environment: Vec::new(),
     };
-    let judgement = program.judge(sheet, Facts::UntilOneFails)?;
+    let judgement = program.judge(sheet, facts)?;
     print(&screen.wrap(&judgement.report()))?;
     let words = format!(
         "{}: {} of {} facts hold; the pictures are in {pictures}",

@@ -209,7 +209,8 @@ fn each_program_gets_a_sentence() {
         );
     }
 
-    let (printed, _) = learn(&["glass", "mine"], "another place");
+    let (printed, _) = learn(&["glass", "mine", "--all"], "another place");
+    assert!(printed.contains("ok         noise"), "{printed}");
     let words = "marked    out/sheets/glass/edge-1.marked.png: the line and the edge in";
     assert!(printed.contains(words), "{printed}");
     let marked = Path::new(FOLDER).join("out/sheets/glass/edge-1.marked.png");

@@ -19,6 +19,7 @@ mod slope;
 pub use fact::Fact;
 pub use judgement::{Drawn, Facts, Judgement, State, judge};
 pub use last_words::{last_words, no_picture};
+pub use marked::MARKED;
 pub use sheet::{Picture, Run, Sheet};
 
 /// The names of the sheets, in the order in which they are set.

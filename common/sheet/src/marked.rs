@@ -9,6 +9,9 @@ use crate::judgement::{Answer, Judgement};
 use crate::line::Line;
 use crate::measure::{Measure, Region};
 
+/// The extension of marked copies.
+pub const MARKED: &str = "marked.png";
+
 /// The colours of marks.
 const COLORS: [(&str, Color); 4] = [
     ("magenta", Color::MAGENTA),
@@ -66,7 +69,7 @@ pub fn mark(
             format!("the region in {name}")
         }
     };
-    let file = opened.drawn.file.with_extension("marked.png");
+    let file = opened.drawn.file.with_extension(MARKED);
     let bytes = image.to_rgb8(Transfer::Linear);
     picture_file::save_png(&file, image.size(), &bytes)?;
     Ok(Some(Marked { file, words }))

@@ -10,7 +10,7 @@ use crate::files::with_path;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::run;
-use ::sheet::{Drawn, Picture, Run, last_words, no_picture};
+use ::sheet::{Drawn, MARKED, Picture, Run, last_words, no_picture};
 
 /// The most memory of a program. Windows and macOS do not hold this limit.
 const KIB: u32 = 2 << 20;
@@ -32,11 +32,14 @@ impl Program {
     pub fn draw(&self, picture: &Picture, of: &Run, watcher: Watcher) -> Result<Drawn, String> {
         let file = self.pictures.join(of.file());
         let whole = absolute(&file).map_err(with_path(&file))?;
-        match fs::remove_file(&file) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                return Err(with_path(&file)(error));
+        // Nothing of an earlier run shall look like this one's.
+        for old in [&file, &file.with_extension(MARKED)] {
+            match fs::remove_file(old) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(with_path(old)(error));
+                }
+                _ => {}
             }
-            _ => {}
         }
         let with_program = with_path(&self.executable);
         let mut program = limited(&self.executable);
@@ -100,7 +103,10 @@ fn limited(program: &Path) -> Command {
         return Command::new(program);
     }
     let mut shell = Command::new("sh");
-    let script = format!("ulimit -c 0; ulimit -d {KIB}; exec \"$0\" \"$@\"");
+    // Some shells end where a limit cannot be set.
+    let script = format!(
+        "(ulimit -d {KIB}) 2>/dev/null && ulimit -d {KIB}; ulimit -c 0; exec \"$0\" \"$@\""
+    );
     shell.args(["-c", &script]).arg(program);
     shell
 }
