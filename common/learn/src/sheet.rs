@@ -18,6 +18,8 @@ pub use run::Program;
 /// The folder of the sheets.
 const SHEETS: &str = "common/sheet/sheets";
 
+const NONE: &str = "this workbook has no sheets; they follow the last stage";
+
 /// Lists the open sheets, shows what one asks for, or judges your program by its pictures
 #[derive(clap::Args)]
 pub struct Command {
@@ -35,7 +37,11 @@ impl Command {
     pub fn run(&self) -> Result<String, String> {
         let sheets = read_all()?;
         let Some(name) = &self.name else {
-            return Ok(list(&sheets));
+            return if sheets.is_empty() {
+                Err(NONE.to_owned())
+            } else {
+                Ok(list(&sheets))
+            };
         };
         let sheet = find(&sheets, name)?;
         match &self.folder {
@@ -92,9 +98,7 @@ pub fn find<'a>(sheets: &'a [Sheet], name: &str) -> Result<&'a Sheet, String> {
     found.ok_or_else(|| {
         let wrong = text::name(name);
         match text::nearest(&names, name) {
-            _ if names.is_empty() => {
-                "this workbook has no sheets; they follow its last stage".into()
-            }
+            _ if names.is_empty() => NONE.to_owned(),
             Some(nearest) => format!("no sheet is called {wrong}; the nearest is {nearest}"),
             None => format!("no sheet is called {wrong}; they are {}", names.join(", ")),
         }
