@@ -31,6 +31,7 @@ const PARTS: [&str; 14] = [
     ":(exclude)common/corpus/adapters",
     ":(exclude)a0*/exercises/others/*",
     ":(exclude)common/sheet/answers",
+    ":(exclude)common/sheet/facts",
 ];
 
 /// What a handout lacks that ends before the last stage.
