@@ -1,1 +1,124 @@
-use crate::functions::*; pub fn render(_: &str, _: u32) -> Result<Image, Error> { unimplemented!() }
+//! Patterns by many rays through each pixel: a pattern is a function from two numbers to a colour.
+
+use crate::functions::{self, *};
+
+const RADIUS: f64 = 1.0;
+
+pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
+    match scene {
+        "patterns-floor" => floor(0.0, samples),
+        "patterns-far" => floor(-3e9, samples),
+        "patterns-ball" => ball(5.0, samples, &chessboard_on_ball),
+        "patterns-picture" => ball(-5.0, samples, &picture_on_ball),
+        "patterns-count" => count(samples),
+        _ => panic!("there is no scene {scene}"),
+    }
+}
+
+/// Black and white by turns, in fields of length 1: the first to the right of 0 is black.
+fn stripes(x: f64) -> bool {
+    x.floor().rem_euclid(2.0) == 1.0
+}
+
+fn chessboard(x: f64, y: f64) -> Color {
+    if stripes(x) == stripes(y) {
+        Color::BLACK
+    } else {
+        Color::WHITE
+    }
+}
+
+fn chessboard_on_ball(longitude: f64, latitude: f64) -> Color {
+    let field = TAU / 10.0;
+    chessboard(longitude / field, latitude / field)
+}
+
+/// The picture of the sheet, 8 by 4 pixels, around the ball: its left edge is at the back.
+fn picture_on_ball(longitude: f64, latitude: f64) -> Color {
+    let (columns, rows) = (8_u8, 4_u8);
+    let across = (longitude / TAU + 0.5) * f64::from(columns);
+    let down = (0.5 - latitude / PI) * f64::from(rows);
+    // The last column ends at 8, which is no column.
+    let column = (across.floor() as u8).min(columns - 1);
+    let row = (down.floor() as u8).min(rows - 1);
+    Color::new(f64::from(column + 1) / 8.0, f64::from(row + 1) / 4.0, 0.0)
+}
+
+fn floor(x: f64, samples: u32) -> Result<Image, Error> {
+    functions::render(&floor_camera(x)?, floor_color, &floor_settings(samples)?, &())
+}
+
+fn floor_camera(x: f64) -> Result<PerspectiveCamera, Error> {
+    let eye = Point3::new(x, 8.0, 0.0);
+    let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
+    Ok(PerspectiveCamera::new(eye, gaze, up, FRAC_PI_2)?)
+}
+
+fn floor_settings(samples: u32) -> Result<Settings, Error> {
+    Ok(Settings {
+        size: Size::new(320, 240)?,
+        sampling: Sampling::Stratified,
+        samples,
+        seed: crate::seed(),
+        ..Settings::default()
+    })
+}
+
+/// The chessboard on the plane y = 0, or the sky.
+fn floor_color(ray: &Ray) -> Color {
+    let t = -ray.origin().y() / ray.direction().y();
+    if t > 0.0 {
+        let p = ray.at(t);
+        chessboard(p.x(), p.z())
+    } else {
+        Color::BLUE
+    }
+}
+
+/// How many rays are sent for each pixel: one, if the pixel is more than ten fields long.
+fn count(samples: u32) -> Result<Image, Error> {
+    let size = Size::new(320, 240)?;
+    let camera = floor_camera(0.0)?;
+    Image::from_fn(size, |column, row| {
+        // The lengths at which the upper and the lower edge of the pixel meet the floor.
+        let [upper, lower] = [0.0, 1.0].map(|down| {
+            let (x, y) = camera_coordinates(size, column, row, (0.5, down));
+            let ray = camera.ray_for(size, x, y);
+            let t = -ray.origin().y() / ray.direction().y();
+            ray.at(t).z()
+        });
+        let is_floor = lower < 0.0;
+        let rays = if is_floor && (upper - lower).abs() > 10.0 { 1 } else { samples };
+        Color::gray(f64::from(rays) / 64.0)
+    })
+}
+
+/// A ball around the origin, seen by parallel rays from this z.
+fn ball(
+    z: f64,
+    samples: u32,
+    pattern: &(dyn Fn(f64, f64) -> Color + Sync),
+) -> Result<Image, Error> {
+    let eye = Point3::new(0.0, 0.0, z);
+    let gaze = Vector3::new(0.0, 0.0, -z);
+    let camera = OrthographicCamera::new(eye, gaze, Vector3::new(0.0, 1.0, 0.0), 2.4)?;
+    let ball = Sphere::new(Point3::ORIGIN, RADIUS)?;
+    let color = |ray: &Ray| {
+        let Some(hit) = ball.hit(ray, Interval::AHEAD) else {
+            return Color::BLUE;
+        };
+        let n = hit.normal;
+        pattern(libm::atan2(n.x(), n.z()), libm::asin(n.y().clamp(-1.0, 1.0)))
+    };
+    let sampling = if samples == 1 {
+        Sampling::Center
+    } else {
+        Sampling::Stratified
+    };
+    let settings = Settings {
+        size: Size::new(241, 241)?,
+        sampling,
+        ..floor_settings(samples)?
+    };
+    functions::render(&camera, color, &settings, &())
+}
