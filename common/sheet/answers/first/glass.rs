@@ -1,5 +1,7 @@
 //! Glass by recursion: at each surface a call for the mirrored ray and one for the refracted ray.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::functions::{self, *};
 
 /// Rays that carry less of the pixel than this are not followed.
@@ -149,7 +151,10 @@ fn plate_world(depth: u32) -> Result<World, Error> {
 }
 
 fn plate_camera(degrees: f64) -> Result<OrthographicCamera, Error> {
-    let (sin, cos) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
+    let (sin, cos) = (
+        libm::sin(degrees.to_radians()),
+        libm::cos(degrees.to_radians()),
+    );
     let eye = Point3::new(-6.0 * sin / cos, 0.0, 3.0);
     let gaze = Vector3::new(sin, 0.0, -cos);
     Ok(OrthographicCamera::new(eye, gaze, up(), 3.0)?)

@@ -1,5 +1,7 @@
 //! Patterns by many rays through each pixel: a pattern is a function from two numbers to a colour.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use crate::functions::{self, *};
 
 const RADIUS: f64 = 1.0;
@@ -45,7 +47,12 @@ fn picture_on_ball(longitude: f64, latitude: f64) -> Color {
 }
 
 fn floor(x: f64, samples: u32) -> Result<Image, Error> {
-    functions::render(&floor_camera(x)?, floor_color, &floor_settings(samples)?, &())
+    functions::render(
+        &floor_camera(x)?,
+        floor_color,
+        &floor_settings(samples)?,
+        &(),
+    )
 }
 
 fn floor_camera(x: f64) -> Result<PerspectiveCamera, Error> {
@@ -88,7 +95,11 @@ fn count(samples: u32) -> Result<Image, Error> {
             ray.at(t).z()
         });
         let is_floor = lower < 0.0;
-        let rays = if is_floor && (upper - lower).abs() > 10.0 { 1 } else { samples };
+        let rays = if is_floor && (upper - lower).abs() > 10.0 {
+            1
+        } else {
+            samples
+        };
         Color::gray(f64::from(rays) / 64.0)
     })
 }
@@ -108,7 +119,10 @@ fn ball(
             return Color::BLUE;
         };
         let n = hit.normal;
-        pattern(libm::atan2(n.x(), n.z()), libm::asin(n.y().clamp(-1.0, 1.0)))
+        pattern(
+            libm::atan2(n.x(), n.z()),
+            libm::asin(n.y().clamp(-1.0, 1.0)),
+        )
     };
     let sampling = if samples == 1 {
         Sampling::Center

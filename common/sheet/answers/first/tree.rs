@@ -1,5 +1,7 @@
 //! A tree by the median: nodes that own their children, and a function that descends into the nearer one first.
 
+use std::f64::consts::FRAC_PI_4;
+
 use crate::functions::{self, *};
 
 pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
@@ -249,7 +251,7 @@ fn balls(count: u32) -> Scene {
     let radius = 0.5 / libm::cbrt(f64::from(count));
     let mut balls = Vec::new();
     for number in 1..=count {
-        let [x, y, z] = [0.8191725134, 0.6710436067, 0.5497004779]
+        let [x, y, z] = [0.819_172_513_4, 0.671_043_606_7, 0.549_700_477_9]
             .map(|step: f64| (step * f64::from(number)).fract());
         balls.push(Ball {
             center: Point3::new(x - 0.5, y - 0.5, z - 0.5),
@@ -262,7 +264,13 @@ fn balls(count: u32) -> Scene {
 
 /// Balls that are all at the same place.
 fn equal(count: u32) -> Scene {
-    let colors = (0..count).map(|number| if number == 0 { Color::GREEN } else { Color::RED });
+    let colors = (0..count).map(|number| {
+        if number == 0 {
+            Color::GREEN
+        } else {
+            Color::RED
+        }
+    });
     let balls = colors.map(|color| Ball {
         center: Point3::ORIGIN,
         radius: 0.5,

@@ -1,6 +1,8 @@
 //! Glass by a list of rays that wait: the refractive index is a function of the place, asked a little before
 //! and behind each surface, and both laws are those of angles.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::functions::{self, *};
 
 const STEP: f64 = 1e-7;
@@ -36,8 +38,20 @@ fn two_colors(is_first: bool, first: Color, second: Color) -> Color {
 
 const PLATE: Room = Room {
     borders: &[Border::Level(0.0), Border::Level(-1.0)],
-    index: |p| if p.z() < 0.0 && p.z() > -1.0 { 1.5 } else { 1.0 },
-    wall: Some(|p| two_colors(p.x() < 0.0, Color::new(1.0, 0.0, 0.4), Color::new(0.0, 0.0, 0.4))),
+    index: |p| {
+        if p.z() < 0.0 && p.z() > -1.0 {
+            1.5
+        } else {
+            1.0
+        }
+    },
+    wall: Some(|p| {
+        two_colors(
+            p.x() < 0.0,
+            Color::new(1.0, 0.0, 0.4),
+            Color::new(0.0, 0.0, 0.4),
+        )
+    }),
     sky: |_| Color::new(0.0, 1.0, 0.4),
 };
 
@@ -62,7 +76,13 @@ const BALL: Room = Room {
 
 const BUBBLE: Room = Room {
     borders: &[Border::Round(1.0), Border::Round(0.5)],
-    index: |p| if distance(p) < 1.0 && distance(p) > 0.5 { 1.5 } else { 1.0 },
+    index: |p| {
+        if distance(p) < 1.0 && distance(p) > 0.5 {
+            1.5
+        } else {
+            1.0
+        }
+    },
     ..BALL
 };
 
@@ -71,7 +91,11 @@ fn distance(p: Point3) -> f64 {
 }
 
 pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
-    let side = if matches!(scene, "glass-ball" | "glass-bubble") { 251 } else { 301 };
+    let side = if matches!(scene, "glass-ball" | "glass-bubble") {
+        251
+    } else {
+        301
+    };
     let settings = Settings {
         size: Size::new(side, side)?,
         ..Settings::default()

@@ -1,11 +1,15 @@
 //! Patterns without the workbook's sampler: a value of a pattern describes it, rays are at random places of the
 //! pixel without strata, and distances on board and ball are measured without a floor function or an angle.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::functions::*;
 
 /// What a surface shows at two numbers that measure it.
 enum Pattern {
-    Stripes { across: bool },
+    Stripes {
+        across: bool,
+    },
     /// White where exactly one of two patterns is.
     Either(Box<Pattern>, Box<Pattern>),
     Picture(Image),
@@ -45,7 +49,9 @@ impl Pattern {
 /// What a ray may meet.
 enum Body {
     Floor,
-    Ball { to_measure: fn(f64, f64) -> (f64, f64) },
+    Ball {
+        to_measure: fn(f64, f64) -> (f64, f64),
+    },
 }
 
 struct Scene {
@@ -76,7 +82,8 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
         })
     };
     let fields = |longitude, latitude| (longitude / 36.0, latitude / 36.0);
-    let parts = |longitude: f64, latitude: f64| ((longitude + 180.0) / 360.0, (90.0 - latitude) / 180.0);
+    let parts =
+        |longitude: f64, latitude: f64| ((longitude + 180.0) / 360.0, (90.0 - latitude) / 180.0);
     let of_sheet = |x, y| Color::new(f64::from(x + 1) / 8.0, f64::from(y + 1) / 4.0, 0.0);
     match scene {
         "patterns-floor" => picture(&from_above(0.0)?, samples, false),
@@ -85,7 +92,11 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
         "patterns-ball" => picture(&round(5.0, fields, Pattern::board())?, samples, false),
         "patterns-picture" => {
             let image = Image::from_fn(Size::new(8, 4)?, of_sheet)?;
-            picture(&round(-5.0, parts, Pattern::Picture(image))?, samples, false)
+            picture(
+                &round(-5.0, parts, Pattern::Picture(image))?,
+                samples,
+                false,
+            )
         }
         _ => panic!("there is no scene {scene}"),
     }

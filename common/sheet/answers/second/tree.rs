@@ -1,10 +1,12 @@
 //! A tree by the surface area: nodes in one list, built from a stack, and searched by a loop with a stack of its
 //! own. Leaves hold up to four balls.
 
-use crate::functions::{self, *};
+use std::f64::consts::FRAC_PI_4;
+use std::ops::Range;
+
+use crate::functions::*;
 
 const LEAF: usize = 4;
-const BINS: usize = 16;
 
 pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     let wide = Size::new(320, 240)?;
@@ -12,27 +14,39 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     let (eye, gaze) = (Point3::new(0.0, 0.0, 2.0), Vector3::new(0.0, 0.0, -1.0));
     let perspective = PerspectiveCamera::new(eye, gaze, up, FRAC_PI_4)?;
     let by_rule = || cloud(samples);
-    let at = |search: &dyn Fn(&Ray) -> Color, size| {
-        picture_of(&perspective, size, search)
-    };
+    let at = |search: &dyn Fn(&Ray) -> Color, size| picture_of(&perspective, size, search);
     match scene {
         "tree-balls" => {
             let forest = Forest::new(by_rule());
-            at(&|ray| shaded(&forest.balls, ray, forest.nearest(ray).0), wide)
+            at(
+                &|ray| shaded(&forest.balls, ray, forest.nearest(ray).0),
+                wide,
+            )
         }
         "tree-list" => {
             let balls = by_rule();
             at(&|ray| shaded(&balls, ray, in_list(&balls, ray)), wide)
         }
         "tree-count" | "tree-row" => {
-            let forest = Forest::new(if scene == "tree-row" { file(samples) } else { by_rule() });
-            at(&|ray| Color::gray(f64::from(forest.nearest(ray).1) / 256.0), wide)
+            let forest = Forest::new(if scene == "tree-row" {
+                file(samples)
+            } else {
+                by_rule()
+            });
+            at(
+                &|ray| Color::gray(f64::from(forest.nearest(ray).1) / 256.0),
+                wide,
+            )
         }
         "tree-equal" => {
             let ball = |number| Ball {
                 center: [0.0; 3],
                 radius: 0.5,
-                color: if number == 0 { Color::GREEN } else { Color::RED },
+                color: if number == 0 {
+                    Color::GREEN
+                } else {
+                    Color::RED
+                },
             };
             let forest = Forest::new((0..samples).map(ball).collect());
             at(&|ray| forest.flat(ray), wide)
@@ -135,7 +149,7 @@ impl Region {
 /// A part of the list of balls, and the two nodes that it is divided into, unless it is a leaf.
 struct Node {
     region: Region,
-    balls: std::ops::Range<usize>,
+    balls: Range<usize>,
     children: Option<(usize, usize, usize)>,
 }
 
@@ -158,7 +172,7 @@ impl Forest {
         let mut open = vec![all];
         while let Some(index) = open.pop() {
             let range = forest.nodes[index].balls.clone();
-            let Some((axis, middle)) = forest.divide(range.clone()) else {
+            let Some((axis, middle)) = forest.divide(&range) else {
                 continue;
             };
             let low = forest.node(range.start..middle);
@@ -169,7 +183,7 @@ impl Forest {
         forest
     }
 
-    fn node(&mut self, balls: std::ops::Range<usize>) -> usize {
+    fn node(&mut self, balls: Range<usize>) -> usize {
         let of = |number: &usize| &self.balls[*number];
         let numbers = &self.order[balls.clone()];
         let region = numbers.iter().map(of).fold(Region::EMPTY, Region::grown);
@@ -181,45 +195,40 @@ impl Forest {
         self.nodes.len() - 1
     }
 
-    /// Sorts a part into two, with the least sum of area times number over the bins of each axis; none if it
-    /// stays a leaf.
-    fn divide(&mut self, range: std::ops::Range<usize>) -> Option<(usize, usize)> {
+    /// Sorts a part of the list so that the sum of area times number of both sides of a place is the least, and
+    /// returns axis and place; none if the part stays a leaf.
+    fn divide(&mut self, range: &Range<usize>) -> Option<(usize, usize)> {
         if range.len() <= LEAF {
             return None;
         }
         let balls = &self.balls;
         let part = &mut self.order[range.clone()];
-        let mut best: Option<(f64, usize, f64)> = None;
+        let mut sort = |axis: usize| {
+            part.sort_by(|a, b| balls[*a].center[axis].total_cmp(&balls[*b].center[axis]));
+            let grow = |region: &mut Region, number: &usize| {
+                *region = region.grown(&balls[*number]);
+                Some(region.area())
+            };
+            let left: Vec<_> = part.iter().scan(Region::EMPTY, grow).collect();
+            let right: Vec<_> = part.iter().rev().scan(Region::EMPTY, grow).collect();
+            let place = |number: usize| balls[number].center[axis];
+            (left, right, place(part[0]) < place(part[part.len() - 1]))
+        };
+        // Where all middles are at one place, any halves will do.
+        let mut best = (f64::INFINITY, 0, range.len() / 2);
         for axis in 0..3 {
-            let places = part.iter().map(|number| balls[*number].center[axis]);
-            let low = places.clone().fold(f64::INFINITY, f64::min);
-            let high = places.fold(f64::NEG_INFINITY, f64::max);
-            if low == high {
-                continue;
-            }
-            let mut bins = [(Region::EMPTY, 0_usize); BINS];
-            for number in &*part {
-                let ball = &balls[*number];
-                let place = (ball.center[axis] - low) / (high - low) * BINS as f64;
-                let bin = &mut bins[(place as usize).min(BINS - 1)];
-                *bin = (bin.0.grown(ball), bin.1 + 1);
-            }
-            for edge in 1..BINS {
-                let cost = cost(&bins[..edge]) + cost(&bins[edge..]);
-                if best.is_none_or(|(least, _, _)| cost < least) {
-                    let place = low + (high - low) * edge as f64 / BINS as f64;
-                    best = Some((cost, axis, place));
+            let (left, right, differ) = sort(axis);
+            for place in 1..if differ { range.len() } else { 1 } {
+                let others = range.len() - place;
+                let cost = left[place - 1] * place as f64 + right[others - 1] * others as f64;
+                if cost < best.0 {
+                    best = (cost, axis, place);
                 }
             }
         }
-        let Some((_, axis, place)) = best else {
-            // All centres are at one place: any halves will do.
-            return Some((0, range.start + range.len() / 2));
-        };
-        part.sort_by(|a, b| balls[*a].center[axis].total_cmp(&balls[*b].center[axis]));
-        let low = part.partition_point(|number| balls[*number].center[axis] < place);
-        let low = low.clamp(1, range.len() - 1);
-        Some((axis, range.start + low))
+        let (_, axis, place) = best;
+        sort(axis);
+        Some((axis, range.start + place))
     }
 
     /// The number of the nearest ball, and how many tests found it.
@@ -227,7 +236,11 @@ impl Forest {
         let (o, d) = numbers_of(ray);
         let mut nearest: Option<(f64, usize)> = None;
         let mut tests = 0;
-        let mut waiting = if self.balls.is_empty() { vec![] } else { vec![0] };
+        let mut waiting = if self.balls.is_empty() {
+            vec![]
+        } else {
+            vec![0]
+        };
         while let Some(index) = waiting.pop() {
             let node = &self.nodes[index];
             tests += 1;
@@ -237,14 +250,19 @@ impl Forest {
             }
             if let Some((axis, low, high)) = node.children {
                 // What lies in front is taken from the end of the list.
-                waiting.extend(if d[axis] > 0.0 { [high, low] } else { [low, high] });
+                waiting.extend(if d[axis] > 0.0 {
+                    [high, low]
+                } else {
+                    [low, high]
+                });
                 continue;
             }
             for number in &self.order[node.balls.clone()] {
                 tests += 1;
                 if let Some(t) = self.balls[*number].t(o, d) {
                     let hit = (t, *number);
-                    nearest = Some(nearest.map_or(hit, |other| if hit < other { hit } else { other }));
+                    nearest =
+                        Some(nearest.map_or(hit, |other| if hit < other { hit } else { other }));
                 }
             }
         }
@@ -257,20 +275,12 @@ impl Forest {
     }
 }
 
-/// The area around these bins, times the number of their balls.
-fn cost(bins: &[(Region, usize)]) -> f64 {
-    let mut all = (Region::EMPTY, 0);
-    for (region, count) in bins {
-        let low = [0, 1, 2].map(|axis| all.0.low[axis].min(region.low[axis]));
-        let high = [0, 1, 2].map(|axis| all.0.high[axis].max(region.high[axis]));
-        all = (Region { low, high }, all.1 + count);
-    }
-    if all.1 == 0 { 0.0 } else { all.0.area() * all.1 as f64 }
-}
-
 fn in_list(balls: &[Ball], ray: &Ray) -> Option<(f64, usize)> {
     let (o, d) = numbers_of(ray);
-    let hits = balls.iter().enumerate().filter_map(|(number, ball)| Some((ball.t(o, d)?, number)));
+    let hits = balls
+        .iter()
+        .enumerate()
+        .filter_map(|(number, ball)| Some((ball.t(o, d)?, number)));
     hits.reduce(|a, b| if b.0 < a.0 { b } else { a })
 }
 
@@ -289,7 +299,11 @@ fn shaded(balls: &[Ball], ray: &Ray, nearest: Option<(f64, usize)>) -> Color {
 fn cloud(count: u32) -> Vec<Ball> {
     let of_number = |number: u32| {
         let share = |step: f64| (step * f64::from(number)) % 1.0;
-        let place = [share(0.8191725134), share(0.6710436067), share(0.5497004779)];
+        let place = [
+            share(0.819_172_513_4),
+            share(0.671_043_606_7),
+            share(0.549_700_477_9),
+        ];
         Ball {
             center: place.map(|x| x - 0.5),
             radius: 0.5 / libm::cbrt(f64::from(count)),
