@@ -7,6 +7,9 @@ use crate::functions::{self, *};
 /// Rays that carry less of the pixel than this are not followed.
 const LEAST_WEIGHT: f64 = 1e-6;
 
+/// The sky of the book's picture, just above the board.
+const HORIZON: Color = Color::new(0.75, 0.78, 0.8);
+
 pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     match scene {
         "glass-plate-0" => plate(0.0, 1.0, samples),
@@ -17,6 +20,7 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
         "glass-ball" => ball(false, samples),
         "glass-bubble" => ball(true, samples),
         "glass-count" => count(samples),
+        "glass-still" => still(samples),
         _ => panic!("there is no scene {scene}"),
     }
 }
@@ -208,6 +212,57 @@ fn count(depth: u32) -> Result<Image, Error> {
     let world = plate_world(depth)?;
     let rays = |ray: &Ray| Color::gray(f64::from(world.trace(ray, depth, 1.0).rays) / 64.0);
     functions::render(&plate_camera(0.0)?, rays, &settings(301)?, &())
+}
+
+/// The picture of the book: a ball, a bubble and a plate on a board, before a red ball and the sun.
+fn still(samples: u32) -> Result<Image, Error> {
+    let up_normal = Normal3::new(0.0, 1.0, 0.0);
+    let floor = Matter::Glows(|p| {
+        let is_light = (p.x().floor() + p.z().floor()).rem_euclid(2.0) == 1.0;
+        let field = if is_light {
+            Color::new(0.8, 0.75, 0.65)
+        } else {
+            Color::new(0.05, 0.07, 0.12)
+        };
+        let far = (libm::hypot(p.x(), p.z() - 7.0) / 40.0).min(1.0);
+        field * (1.0 - far) + HORIZON * far
+    });
+    let red = Matter::Glows(|p| Color::new(0.15 + 0.5 * p.y(), 0.05 * p.y(), 0.03 * p.y()));
+    let air = Matter::Glass {
+        outside: 1.5,
+        inside: 1.0,
+    };
+    let bubble = Point3::new(1.1, 0.6, 1.9);
+    let [low, high] = [Point3::new(0.2, 0.0, -0.4), Point3::new(1.8, 1.3, 0.3)];
+    let world = World {
+        objects: Vec::new(),
+        sky: |d| {
+            let height = d.y().max(0.0).sqrt();
+            let sky = HORIZON * (1.0 - height) + Color::new(0.08, 0.2, 0.5) * height;
+            let to_sun = d.dot(Vector3::new(-0.48, 0.6, 0.64));
+            sky + Color::gray(if to_sun > 0.995 { 8.0 } else { 0.0 })
+        },
+        depth: 12,
+    };
+    let world = world
+        .with(Plane::new(Point3::ORIGIN, up_normal)?, floor)
+        .with(Sphere::new(Point3::new(2.0, 0.9, -1.8), 0.9)?, red)
+        .with(Sphere::new(Point3::new(-1.2, 1.1, 0.4), 1.1)?, glass())
+        .with(Sphere::new(bubble, 0.6)?, glass())
+        .with(Sphere::new(bubble, 0.54)?, air)
+        .with(AxisAlignedBox::new(low, high)?, glass());
+    let eye = Point3::new(-0.6, 1.9, 7.0);
+    let gaze = Point3::new(0.1, 0.85, 0.0) - eye;
+    let camera = PerspectiveCamera::new(eye, gaze, up(), 34_f64.to_radians())?;
+    let settings = Settings {
+        size: Size::new(640, 400)?,
+        samples,
+        sampling: Sampling::Stratified,
+        ..Settings::default()
+    };
+    let light = |ray: &Ray| world.trace(ray, world.depth, 1.0).light.map(|l| l.min(1.0));
+    let image = functions::render(&camera, light, &settings, &())?;
+    Ok(image.map(|color| color.map(|channel| Transfer::Srgb.encode(channel))))
 }
 
 fn picture(world: &World, camera: &(impl Camera + ?Sized), width: u32) -> Result<Image, Error> {

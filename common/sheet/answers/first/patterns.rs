@@ -13,6 +13,7 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
         "patterns-ball" => ball(5.0, samples, &chessboard_on_ball),
         "patterns-picture" => ball(-5.0, samples, &picture_on_ball),
         "patterns-count" => count(samples),
+        "patterns-still" => still(samples),
         _ => panic!("there is no scene {scene}"),
     }
 }
@@ -78,7 +79,7 @@ fn floor_color(ray: &Ray) -> Color {
         let p = ray.at(t);
         chessboard(p.x(), p.z())
     } else {
-        Color::BLUE
+        Color::new(0.3, 0.5, 0.9)
     }
 }
 
@@ -116,7 +117,7 @@ fn ball(
     let ball = Sphere::new(Point3::ORIGIN, RADIUS)?;
     let color = |ray: &Ray| {
         let Some(hit) = ball.hit(ray, Interval::AHEAD) else {
-            return Color::BLUE;
+            return Color::new(0.3, 0.5, 0.9);
         };
         let n = hit.normal;
         pattern(
@@ -135,4 +136,66 @@ fn ball(
         ..floor_settings(samples)?
     };
     functions::render(&camera, color, &settings, &())
+}
+
+/// The picture of the book: stripes, board and picture on three balls, on a board, in the sun.
+fn still(samples: u32) -> Result<Image, Error> {
+    let striped: fn(f64, f64) -> Color = |_, latitude| {
+        if stripes(latitude / TAU * 14.0) {
+            Color::new(0.85, 0.8, 0.7)
+        } else {
+            Color::new(0.65, 0.08, 0.05)
+        }
+    };
+    let bodies: [(Point3, f64, fn(f64, f64) -> Color); 3] = [
+        (Point3::new(-2.3, 1.0, -0.6), 1.0, striped),
+        (Point3::new(0.1, 1.3, -1.4), 1.3, chessboard_on_ball),
+        (Point3::new(2.1, 0.8, 0.3), 0.8, picture_on_ball),
+    ];
+    let mut balls = Vec::new();
+    for (center, radius, pattern) in bodies {
+        balls.push((Sphere::new(center, radius)?, pattern));
+    }
+    let sun = Vector3::new(-0.48, 0.64, 0.6);
+    let lit = |color: Color, p: Point3, n: Vector3| {
+        let to_sun = Ray::derived(p + n * 1e-9, sun);
+        let is_dark = (balls.iter()).any(|(ball, _)| ball.hit(&to_sun, Interval::AHEAD).is_some());
+        let light = if is_dark { 0.0 } else { n.dot(sun).max(0.0) };
+        color * (0.15 + 0.95 * light)
+    };
+    let color = |ray: &Ray| {
+        let mut within = Interval::AHEAD;
+        let mut seen = None;
+        for (ball, pattern) in &balls {
+            if let Some(hit) = ball.hit(ray, within) {
+                within = Interval::before(hit.t);
+                seen = Some((hit, pattern));
+            }
+        }
+        if let Some((hit, pattern)) = seen {
+            let n = hit.normal;
+            // A little turned, so that the fields of the poles are seen.
+            let (y, z) = (0.9 * n.y() + 0.436 * n.z(), 0.9 * n.z() - 0.436 * n.y());
+            let (longitude, latitude) = (libm::atan2(n.x(), z), libm::asin(y.clamp(-1.0, 1.0)));
+            return lit(pattern(longitude, latitude), ray.at(hit.t), n.into());
+        }
+        let sky = Color::new(0.4, 0.55, 0.8);
+        let t = -ray.origin().y() / ray.direction().y();
+        if t < 0.0 {
+            return sky;
+        }
+        let p = ray.at(t);
+        let field = floor_color(ray) * 0.7 + Color::new(0.05, 0.07, 0.1);
+        let far = 1.0 - libm::exp(-t / 60.0);
+        lit(field, p, Vector3::new(0.0, 1.0, 0.0)) * (1.0 - far) + sky * far
+    };
+    let eye = Point3::new(0.4, 2.4, 8.0);
+    let gaze = Point3::new(0.0, 0.9, 0.0) - eye;
+    let camera = PerspectiveCamera::new(eye, gaze, Vector3::new(0.0, 1.0, 0.0), 0.55)?;
+    let settings = Settings {
+        size: Size::new(640, 400)?,
+        ..floor_settings(samples)?
+    };
+    let image = functions::render(&camera, color, &settings, &())?;
+    Ok(image.map(|color| color.map(|channel| Transfer::Srgb.encode(channel.min(1.0)))))
 }

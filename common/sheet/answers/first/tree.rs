@@ -12,6 +12,7 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
         "tree-lattice" => lattice(samples),
         "tree-count" => balls(samples).counts(),
         "tree-row" => row(samples).counts(),
+        "tree-still" => still(samples),
         _ => panic!("there is no scene {scene}"),
     }
 }
@@ -308,6 +309,52 @@ fn row(count: u32) -> Scene {
         color: Color::WHITE,
     });
     Scene::new(balls.collect(), true)
+}
+
+/// The picture of the book: the seeds of a sunflower, as high as the waves of a pond, and their shadows.
+fn still(count: u32) -> Result<Image, Error> {
+    let seed = |number: u32| {
+        let share = f64::from(number) / f64::from(count);
+        let (distance, angle) = (10.0 * share.sqrt(), 2.399_963_229_7 * f64::from(number));
+        let wave = libm::cos(1.7 * distance) * libm::exp(-0.14 * distance);
+        let (sin, cos) = libm::sincos(angle);
+        Ball {
+            center: Point3::new(distance * cos, 1.3 * wave, distance * sin),
+            radius: 8.5 / f64::from(count).sqrt(),
+            color: Color::new(0.03, 0.2, 0.32) * (0.5 - 0.5 * wave)
+                + Color::new(1.0, 0.6, 0.15) * (0.5 + 0.5 * wave),
+        }
+    };
+    let scene = Scene::new((1..=count).map(seed).collect(), true);
+    let sun = Vector3::new(-0.64, 0.48, -0.6);
+    let color = |ray: &Ray| {
+        let Some((t, number)) = scene.search(ray, &Tree::nearest).nearest else {
+            return Color::new(0.01, 0.015, 0.03);
+        };
+        let ball = &scene.balls[number];
+        let normal = (ray.at(t) - ball.center) * (1.0 / ball.radius);
+        let above = ball.center + normal * (ball.radius * 1.0001);
+        let is_dark = (scene
+            .search(&Ray::derived(above, sun), &Tree::nearest)
+            .nearest)
+            .is_some();
+        let light = if is_dark {
+            0.0
+        } else {
+            normal.dot(sun).max(0.0)
+        };
+        ball.color * (1.5 * light + 0.2 + 0.1 * normal.y())
+    };
+    let eye = Point3::new(0.0, 6.5, 12.0);
+    let gaze = Point3::new(0.0, -1.0, 0.8) - eye;
+    let camera = PerspectiveCamera::new(eye, gaze, Vector3::new(0.0, 1.0, 0.0), 0.66)?;
+    let settings = Settings {
+        samples: 25,
+        sampling: Sampling::Stratified,
+        ..settings(640, 400)?
+    };
+    let image = functions::render(&camera, color, &settings, &())?;
+    Ok(image.map(|color| color.map(|channel| Transfer::Srgb.encode(channel.min(1.0)))))
 }
 
 fn coordinates(p: Point3) -> [f64; 3] {

@@ -135,7 +135,7 @@ impl Scene {
             Body::Ball { to_measure } => {
                 let squared = 1.0 - o.x() * o.x() - o.y() * o.y();
                 if squared < 0.0 {
-                    return Color::BLUE;
+                    return Color::new(0.3, 0.5, 0.9);
                 }
                 let z = squared.sqrt().copysign(o.z());
                 let radius = libm::hypot(o.x(), z);
@@ -145,7 +145,7 @@ impl Scene {
                 let (u, v) = to_measure(longitude.to_degrees(), latitude.to_degrees());
                 self.pattern.color(u, v)
             }
-            Body::Floor => Color::BLUE,
+            Body::Floor => Color::new(0.3, 0.5, 0.9),
         }
     }
 }
