@@ -326,7 +326,7 @@ fn still(count: u32) -> Result<Image, Error> {
         }
     };
     let scene = Scene::new((1..=count).map(seed).collect(), true);
-    let sun = Vector3::new(-0.64, 0.48, -0.6);
+    let sun = Vector3::new(-0.64, 0.48, 0.6);
     let color = |ray: &Ray| {
         let Some((t, number)) = scene.search(ray, &Tree::nearest).nearest else {
             return Color::new(0.01, 0.015, 0.03);
@@ -343,7 +343,7 @@ fn still(count: u32) -> Result<Image, Error> {
         } else {
             normal.dot(sun).max(0.0)
         };
-        ball.color * (1.5 * light + 0.2 + 0.1 * normal.y())
+        ball.color * (1.1 * light + 0.16 + 0.08 * normal.y())
     };
     let eye = Point3::new(0.0, 6.5, 12.0);
     let gaze = Point3::new(0.0, -1.0, 0.8) - eye;
