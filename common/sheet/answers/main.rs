@@ -18,6 +18,7 @@ mod functions {
     pub use a06_shadows_reflection::*;
     pub use a07_transforms::*;
     pub use common::*;
+    pub use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
 }
 
 include!(concat!(env!("OUT_DIR"), "/variants.rs"));
