@@ -9,11 +9,14 @@ struct Lamp {
 }
 
 struct Scene {
-    objects: World<()>,
+    /// White, but for our own picture.
+    objects: World<Color>,
     lamp: Lamp,
     /// The ball that may stand in the light: its middle and its radius.
     ball: Option<(Point3, f64)>,
     shows: Shows,
+    camera: PerspectiveCamera,
+    size: Size,
 }
 
 /// Values of a pixel.
@@ -53,9 +56,9 @@ impl Lamp {
 }
 
 impl Scene {
-    fn value(&self, ray: &Ray, samples: u32, random: PixelRandom) -> f64 {
-        let Some((hit, ())) = self.objects.hit(ray, Interval::AHEAD) else {
-            return 0.0;
+    fn color(&self, ray: &Ray, samples: u32, random: PixelRandom) -> Color {
+        let Some((hit, color)) = self.objects.hit(ray, Interval::AHEAD) else {
+            return Color::BLACK;
         };
         let p = ray.at(hit.t);
         let cells = samples.isqrt();
@@ -73,7 +76,7 @@ impl Scene {
                 sum += value;
             }
         }
-        sum / f64::from(cells * cells)
+        *color * (sum / f64::from(cells * cells))
     }
 
     /// Whether nothing can be between `p` and the lamp: the ball is farther from the way to the middle of
@@ -94,21 +97,26 @@ impl Scene {
     }
 }
 
-fn scene(name: &str) -> Result<Scene, Error> {
-    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
-    let objects = World::new(Color::BLACK)?.with(floor, ());
-    let lying = |x, y, z, width, depth| Lamp {
+/// A lamp that lies, or hangs below a ceiling.
+fn lying([x, y, z]: [f64; 3], width: f64, depth: f64) -> Lamp {
+    Lamp {
         corner: Point3::new(x, y, z),
         sides: [Vector3::new(width, 0.0, 0.0), Vector3::new(0.0, 0.0, depth)],
-    };
+    }
+}
+
+fn scene(name: &str) -> Result<Scene, Error> {
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let objects = World::new(Color::BLACK)?.with(floor, Color::WHITE);
     let (c, r) = (Point3::new(2.0, 0.75, 0.0), 0.25);
     let (objects, lamp) = match name {
         "lamp-wall" => {
             let [lbf, run] = [Point3::new(-0.2, 0.0, -20.0), Point3::new(0.0, 2.0, 20.0)];
             let wall = AxisAlignedBox::new(lbf, run)?;
-            (objects.with(wall, ()), lying(-3.75, 5.0, -1.0, 1.5, 2.0))
+            let lamp = lying([-3.75, 5.0, -1.0], 1.5, 2.0);
+            (objects.with(wall, Color::WHITE), lamp)
         }
-        "lamp-light" => (objects, lying(1.0, 1.0, -1.0, 2.0, 2.0)),
+        "lamp-light" => (objects, lying([1.0, 1.0, -1.0], 2.0, 2.0)),
         "lamp-stands" => {
             let sides = [Vector3::new(0.0, 1.0, 0.0), Vector3::new(0.0, 0.0, 2.0)];
             let corner = Point3::new(0.0, 0.0, -1.0);
@@ -116,9 +124,11 @@ fn scene(name: &str) -> Result<Scene, Error> {
         }
         _ => {
             let ball = Sphere::new(c, r)?;
-            (objects.with(ball, ()), lying(-0.5, 4.0, -0.5, 1.0, 1.0))
+            let lamp = lying([-0.5, 4.0, -0.5], 1.0, 1.0);
+            (objects.with(ball, Color::WHITE), lamp)
         }
     };
+    let [down, up] = [Vector3::new(0.0, -1.0, 0.0), Vector3::new(0.0, 0.0, -1.0)];
     Ok(Scene {
         objects,
         lamp,
@@ -128,17 +138,62 @@ fn scene(name: &str) -> Result<Scene, Error> {
             "lamp-rays" => Shows::Rays,
             _ => Shows::Share,
         },
+        camera: PerspectiveCamera::new(Point3::new(2.0, 2.0, 0.0), down, up, FRAC_PI_2)?,
+        size: Size::new(300, 200)?,
+    })
+}
+
+/// The picture behind the dares: balls that rise above a floor.
+fn staircase() -> Result<Scene, Error> {
+    // A white floor reflects this times the radiance of the lamp, which is 16.
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let wall = Plane::new(Point3::new(0.0, 0.0, -3.0), Normal3::new(0.0, 0.0, 1.0))?;
+    let stone = Color::new(0.8, 0.74, 0.66) * 16.0;
+    let mut objects = World::new(Color::BLACK)?
+        .with(floor, stone)
+        .with(wall, stone);
+    for i in 0..7 {
+        let step = f64::from(i);
+        let c = Point3::new(step - 3.0, 0.45 + 0.06 * step * step, 0.3 - 0.2 * step);
+        let hue = TAU * step / 9.0;
+        let color = [0.0, 2.1, 4.2].map(|third| 0.5 + 0.35 * libm::cos(hue - third));
+        let color = Color::new(color[0], color[1], color[2]) * 16.0;
+        objects = objects.with(Sphere::new(c, 0.45)?, color);
+    }
+    let gaze = Vector3::new(0.0, -2.4, -7.5);
+    let up = Vector3::new(0.0, 1.0, 0.0);
+    Ok(Scene {
+        objects,
+        lamp: lying([-2.0, 6.0, 1.0], 2.0, 2.0),
+        ball: None,
+        shows: Shows::Light,
+        camera: PerspectiveCamera::new(Point3::new(0.0, 3.3, 7.5), gaze, up, FRAC_PI_4)?,
+        size: Size::new(640, 400)?,
     })
 }
 
 pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
-    let scene = scene(name)?;
-    let [down, up] = [Vector3::new(0.0, -1.0, 0.0), Vector3::new(0.0, 0.0, -1.0)];
-    let camera = PerspectiveCamera::new(Point3::new(2.0, 2.0, 0.0), down, up, FRAC_PI_2)?;
-    let size = Size::new(300, 200)?;
-    Image::from_fn(size, |column, row| {
-        let (x, y) = camera_coordinates(size, column, row, (0.5, 0.5));
+    let scene = match name {
+        "lamp-own" => staircase(),
+        _ => scene(name),
+    }?;
+    let places: &[_] = match name {
+        "lamp-own" => &[(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)],
+        _ => &[(0.5, 0.5)],
+    };
+    Image::from_fn(scene.size, |column, row| {
         let random = PixelRandom::new(crate::seed(), column, row);
-        Color::gray(scene.value(&camera.ray_for(size, x, y), samples, random))
+        let mut sum = Color::BLACK;
+        for place in places {
+            let (x, y) = camera_coordinates(scene.size, column, row, *place);
+            let ray = scene.camera.ray_for(scene.size, x, y);
+            sum += scene.color(&ray, samples, random);
+        }
+        let mean = sum * (1.0 / places.len() as f64);
+        match name {
+            // As screens show it.
+            "lamp-own" => mean.map(|light| libm::pow(light, 1.0 / 2.2)),
+            _ => mean,
+        }
     })
 }

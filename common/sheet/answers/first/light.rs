@@ -3,9 +3,10 @@
 use crate::functions::*;
 
 /// A surface that glows, and reflects the same to all sides.
+#[derive(Clone, Copy)]
 struct Matter {
-    glow: f64,
-    reflectance: f64,
+    glow: Color,
+    reflectance: Color,
 }
 
 struct Scene {
@@ -17,11 +18,12 @@ struct Scene {
     ends: Ends,
     /// Values are divided by this.
     factor: f64,
-    /// The picture shows the surfaces that a path has met.
+    /// The picture shows how many surfaces a path has met.
     counts: bool,
 }
 
 /// How a path ends that does not leave the scene.
+#[derive(Clone, Copy)]
 enum Ends {
     Depth(u32),
     /// At each surface, which reflects it only with the probability of its reflectance.
@@ -38,6 +40,15 @@ impl Dice {
     fn roll(&mut self) -> f64 {
         self.next += 1;
         self.random.uniform(self.next - 1)
+    }
+}
+
+impl Matter {
+    const fn gray(glow: f64, reflectance: f64) -> Self {
+        Self {
+            glow: Color::gray(glow),
+            reflectance: Color::gray(reflectance),
+        }
     }
 }
 
@@ -59,21 +70,24 @@ fn by_the_cosine(n: Normal3, dice: &mut Dice) -> Vector3 {
 
 impl Scene {
     /// The light that comes back along the ray, and the number of surfaces that it has met.
-    fn path(&self, mut ray: Ray, dice: &mut Dice) -> [f64; 2] {
-        let (mut light, mut weight, mut met) = (0.0, 1.0, 0);
+    fn path(&self, mut ray: Ray, dice: &mut Dice) -> (Color, u32) {
+        let (mut light, mut weight, mut met) = (Color::BLACK, Color::WHITE, 0);
         while let Some((hit, matter)) = self.objects.hit(&ray, Interval::AHEAD) {
             light += weight * matter.glow;
             met += 1;
+            let goes_on = matter.reflectance.largest_channel();
             match self.ends {
-                Ends::Depth(depth) if met == depth => return [light, f64::from(met)],
-                Ends::Depth(_) => weight *= matter.reflectance,
-                Ends::Roulette if dice.roll() < matter.reflectance => {}
-                Ends::Roulette => return [light, f64::from(met)],
+                Ends::Depth(depth) if met == depth => return (light, met),
+                Ends::Depth(_) => weight = weight * matter.reflectance,
+                Ends::Roulette if dice.roll() < goes_on => {
+                    weight = weight * matter.reflectance * (1.0 / goes_on);
+                }
+                Ends::Roulette => return (light, met),
             }
             let direction = by_the_cosine(hit.geometric_normal, dice);
             ray = secondary_ray(&ray, &hit, direction);
         }
-        [light + weight * (self.sky)(ray.direction()), f64::from(met)]
+        (light + weight * (self.sky)(ray.direction()), met)
     }
 
     fn draw(&self) -> Result<Image, Error> {
@@ -81,85 +95,142 @@ impl Scene {
         Image::from_fn(size, |column, row| {
             let random = PixelRandom::new(crate::seed(), column, row);
             let mut dice = Dice { random, next: 0 };
-            let (x, y) = camera_coordinates(size, column, row, (0.5, 0.5));
-            let ray = self.camera.ray_for(size, x, y);
-            let mut sum = 0.0;
+            let mut sum = Color::BLACK;
             for _ in 0..self.paths {
-                let [light, met] = self.path(ray, &mut dice);
-                sum += if self.counts { met } else { light };
+                let place = (dice.roll(), dice.roll());
+                let (x, y) = camera_coordinates(size, column, row, place);
+                let (light, met) = self.path(self.camera.ray_for(size, x, y), &mut dice);
+                sum += if self.counts {
+                    Color::gray(f64::from(met))
+                } else {
+                    light
+                };
             }
-            Color::gray(sum / f64::from(self.paths) / self.factor)
+            sum * (1.0 / f64::from(self.paths) / self.factor)
         })
     }
 }
 
+const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
+const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
+
+/// From the middle of a ball that glows with 1.
+fn furnace(reflectance: f64, [columns, rows]: [u32; 2]) -> Result<Scene, Error> {
+    let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
+    let camera = PerspectiveCamera::new(Point3::ORIGIN, AHEAD, UP, FRAC_PI_2)?;
+    Ok(Scene {
+        objects: World::new(Color::BLACK)?.with(ball, Matter::gray(1.0, reflectance)),
+        sky: |_| 0.0,
+        camera: Box::new(camera),
+        size: Size::new(columns, rows)?,
+        paths: 1,
+        ends: Ends::Roulette,
+        factor: 1.0,
+        counts: false,
+    })
+}
+
+/// A floor under a sky, from above.
+fn floor(reflectance: f64, sky: fn(Vector3) -> f64, paths: u32) -> Result<Scene, Error> {
+    let floor = Plane::new(Point3::ORIGIN, UP.as_normal())?;
+    let camera = PerspectiveCamera::new(Point3::new(0.0, 2.0, 0.0), -UP, AHEAD, FRAC_PI_2)?;
+    Ok(Scene {
+        objects: World::new(Color::BLACK)?.with(floor, Matter::gray(0.0, reflectance)),
+        sky,
+        camera: Box::new(camera),
+        size: Size::new(100, 100)?,
+        paths,
+        ends: Ends::Depth(2),
+        factor: 1.0,
+        counts: false,
+    })
+}
+
+/// A ball before a sky whose upper half is 1.
+fn ball(paths: u32) -> Result<Scene, Error> {
+    let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
+    let camera = OrthographicCamera::new(Point3::new(0.0, 0.0, 5.0), AHEAD, UP, 2.0)?;
+    Ok(Scene {
+        objects: World::new(Color::BLACK)?.with(ball, Matter::gray(0.0, 0.8)),
+        camera: Box::new(camera),
+        size: Size::new(101, 101)?,
+        ..floor(0.0, |d| if d.y() > 0.0 { 1.0 } else { 0.0 }, paths)?
+    })
+}
+
+/// The picture behind the dares: a room with a lamp behind a screen, so that all of its light has been somewhere.
+fn room(paths: u32) -> Result<Scene, Error> {
+    let matter = |r, g, b| Matter {
+        glow: Color::BLACK,
+        reflectance: Color::new(r, g, b),
+    };
+    let (white, lamp) = (matter(0.8, 0.78, 0.74), Matter::gray(4.5, 0.0));
+    let plane = |x: f64, y: f64, z: f64, n: [f64; 3]| {
+        Plane::new(Point3::new(x, y, z), Normal3::new(n[0], n[1], n[2]))
+    };
+    let cuboid = |a: [f64; 3], b: [f64; 3]| {
+        AxisAlignedBox::new(Point3::new(a[0], a[1], a[2]), Point3::new(b[0], b[1], b[2]))
+    };
+    let sphere = |x, y, z, r| Sphere::new(Point3::new(x, y, z), r);
+    let objects = World::new(Color::BLACK)?
+        .with(plane(0.0, 0.0, 0.0, [0.0, 1.0, 0.0])?, white)
+        .with(plane(0.0, 3.0, 0.0, [0.0, -1.0, 0.0])?, white)
+        .with(plane(0.0, 0.0, -2.5, [0.0, 0.0, 1.0])?, white)
+        .with(plane(0.0, 0.0, 7.0, [0.0, 0.0, -1.0])?, white)
+        .with(
+            plane(-2.2, 0.0, 0.0, [1.0, 0.0, 0.0])?,
+            matter(0.75, 0.2, 0.12),
+        )
+        .with(
+            plane(2.2, 0.0, 0.0, [-1.0, 0.0, 0.0])?,
+            matter(0.12, 0.4, 0.6),
+        )
+        .with(cuboid([-0.9, 2.98, -1.6], [0.9, 3.0, 0.2])?, lamp)
+        .with(
+            cuboid([-1.6, 0.0, -1.9], [-0.8, 1.7, -1.1])?,
+            matter(0.4, 0.6, 0.35),
+        )
+        .with(sphere(0.8, 0.7, -0.9, 0.7)?, matter(0.85, 0.85, 0.85))
+        .with(sphere(-0.5, 0.4, 0.2, 0.4)?, matter(0.85, 0.6, 0.15));
+    let camera = PerspectiveCamera::new(Point3::new(0.0, 1.5, 5.8), AHEAD, UP, 0.62)?;
+    Ok(Scene {
+        objects,
+        camera: Box::new(camera),
+        size: Size::new(480, 400)?,
+        paths,
+        ..furnace(0.0, [1, 1])?
+    })
+}
+
 pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
-    let up = Vector3::new(0.0, 1.0, 0.0);
-    let ahead = Vector3::new(0.0, 0.0, -1.0);
-    let sphere = Sphere::new(Point3::ORIGIN, 1.0)?;
-    let floor = Plane::new(Point3::ORIGIN, up.as_normal())?;
-    let nothing = || World::new(Color::BLACK);
-    let furnace = |reflectance, ends, factor, columns, rows| -> Result<Scene, Error> {
+    let of_depth = |reflectance, factor, size| -> Result<Scene, Error> {
         Ok(Scene {
-            objects: nothing()?.with(
-                sphere,
-                Matter {
-                    glow: 1.0,
-                    reflectance,
-                },
-            ),
-            sky: |_| 0.0,
-            camera: Box::new(PerspectiveCamera::new(
-                Point3::ORIGIN,
-                ahead,
-                up,
-                FRAC_PI_2,
-            )?),
-            size: Size::new(columns, rows)?,
-            paths: if matches!(ends, Ends::Roulette) {
-                samples
-            } else {
-                1
-            },
-            ends,
+            ends: Ends::Depth(samples),
             factor,
-            counts: name == "light-steps",
+            ..furnace(reflectance, size)?
         })
     };
-    let outside =
-        |geometry: Box<dyn Geometry>, reflectance, sky, camera, pixels| -> Result<Scene, Error> {
-            Ok(Scene {
-                objects: nothing()?.with(
-                    geometry,
-                    Matter {
-                        glow: 0.0,
-                        reflectance,
-                    },
-                ),
-                sky,
-                camera,
-                size: Size::new(pixels, pixels)?,
-                paths: samples,
-                ends: Ends::Depth(10),
-                factor: 1.0,
-                counts: false,
-            })
-        };
-    let down = || PerspectiveCamera::new(Point3::new(0.0, 2.0, 0.0), -up, ahead, FRAC_PI_2);
     match name {
-        "light-furnace" => furnace(0.5, Ends::Depth(samples), 2.0, 100, 100),
-        "light-deep" => furnace(0.999, Ends::Depth(samples), 2500.0, 16, 12),
-        "light-roulette" | "light-steps" => furnace(0.9, Ends::Roulette, 20.0, 100, 100),
-        "light-ball" => {
-            let camera = OrthographicCamera::new(Point3::new(0.0, 0.0, 5.0), ahead, up, 2.0)?;
-            let sky = |d: Vector3| f64::from(u8::from(d.y() > 0.0));
-            outside(Box::new(sphere), 0.8, sky, Box::new(camera), 101)
+        "light-furnace" => of_depth(0.5, 2.0, [100, 100])?,
+        "light-deep" => of_depth(0.999, 2500.0, [16, 12])?,
+        "light-roulette" | "light-steps" => Scene {
+            paths: samples,
+            factor: 20.0,
+            counts: name == "light-steps",
+            ..furnace(0.9, [100, 100])?
+        },
+        "light-zenith" => floor(0.9, |d| d.y(), samples)?,
+        "light-ball" => ball(samples)?,
+        "light-own" => {
+            let image = room(samples)?.draw()?;
+            // As screens show it.
+            return Ok(image.map(|mean| mean.map(|light| libm::pow(light, 1.0 / 2.2))));
         }
-        "light-zenith" => outside(Box::new(floor), 0.9, |d| d.y(), Box::new(down()?), 100),
-        _ => {
-            let sky = |d: Vector3| f64::from(u8::from(2.0 * d.x() + d.z() > 0.0));
-            outside(Box::new(floor), 0.5, sky, Box::new(down()?), 100)
-        }
-    }?
+        _ => floor(
+            0.5,
+            |d| if 2.0 * d.x() + d.z() > 0.0 { 1.0 } else { 0.0 },
+            samples,
+        )?,
+    }
     .draw()
 }
