@@ -219,7 +219,7 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
             counts: name == "light-steps",
             ..furnace(0.9, [100, 100])?
         },
-        "light-zenith" => floor(0.9, |d| d.y(), samples)?,
+        "light-zenith" => floor(0.9, Vector3::y, samples)?,
         "light-ball" => ball(samples)?,
         "light-own" => {
             let image = room(samples)?.draw()?;
