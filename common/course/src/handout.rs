@@ -15,7 +15,7 @@ use crate::grading_folder::{Workbook, output_of};
 const README: &str = include_str!("../handout/README.md");
 
 /// The files and folders that are handed out.
-const PARTS: [&str; 14] = [
+const PARTS: [&str; 15] = [
     ".cargo",
     ".gitignore",
     "Cargo.lock",
