@@ -47,7 +47,12 @@ impl Geometry for Sphere {
 
         // In b / a ± root, the sum of equal signs does not cancel; the other
         // root follows from their product (f · f - r²) / a.
-        let t1 = middle + (discriminant / a).sqrt().copysign(middle);
+        let root = (discriminant / a).sqrt();
+        let t1 = if middle < 0.0 {
+            middle - root
+        } else {
+            middle + root
+        };
         let t0 = if t1 == 0.0 {
             // The ray touches the sphere at its own origin: both roots are 0.
             t1

@@ -23,7 +23,9 @@ pub(crate) const OFFSET: f64 = 64.0 * f64::EPSILON;
 #[must_use]
 // ANCHOR: secondary-ray
 pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
-    let offset = rounding_error(ray, hit).copysign(hit.geometric_normal.dot(direction));
+    let error = rounding_error(ray, hit);
+    let leads_below = hit.geometric_normal.dot(direction) < 0.0;
+    let offset = if leads_below { -error } else { error };
     Ray::derived(
         ray.at(hit.t) + Vector3::from(hit.geometric_normal) * offset,
         direction,

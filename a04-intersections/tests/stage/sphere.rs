@@ -1,7 +1,7 @@
 //! Spheres: where rays enter and leave. Spheres from far away, from their surface and along
 //! their border are the extreme cases A01 to A22 and S10.
 
-use a02_math::{Direction, Point3};
+use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Interval, Sphere};
 use approx::assert_abs_diff_eq;
@@ -39,4 +39,15 @@ fn both_hits_lie_on_the_sphere_with_normals_from_the_centre() {
     }
     // Rays that enter also leave; those from inside only leave.
     assert!(hits[0] > 2000 && hits[1] > hits[0], "{hits:?}");
+}
+
+/// A ray that starts in the middle of its chord, where both roots are as far away.
+#[test]
+fn the_sign_of_a_zero_moves_no_hit() {
+    let sphere = Sphere::new(point([0.0, 0.0, 0.6]), 1.0).unwrap();
+    for zero in [0.0, -0.0] {
+        let ray = Ray::new(point([zero, zero, 0.0]), Vector3::new(1.0, 0.0, 0.0)).unwrap();
+        let hit = sphere.hit(&ray, Interval::AHEAD).unwrap();
+        assert_eq!(hit.t, 0.8, "{zero:?}");
+    }
 }

@@ -20,7 +20,8 @@ pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
             .max(point.largest_coordinate());
         let largest = of_points.max(hit.t).max(hit.scale);
         let error = 64.0 * f64::EPSILON * largest;
-        let offset = error.copysign(hit.geometric_normal.dot(direction));
+        let leads_below = hit.geometric_normal.dot(direction) < 0.0;
+        let offset = if leads_below { -error } else { error };
         let origin = point + Vector3::from(hit.geometric_normal) * offset;
         Ray::derived(origin, direction)
     })

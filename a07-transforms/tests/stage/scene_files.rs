@@ -4,8 +4,10 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use a07_transforms::kinds::FORMAT;
 use a07_transforms::stage;
 use common::{Color, Error, Renderer, Settings, Size, Transfer, picture_file};
+use scene_file::Mesh;
 
 use crate::scene_cases::{open, open_by, picture_of, wrong_scenes};
 
@@ -62,6 +64,36 @@ fn each_scene_of_the_book_has_its_picture_without_notes() {
             let color = rays.color(&settings, [x, y]).unwrap();
             let shown = book.get(x, y).map(Color::to_bytes);
             assert_eq!(Some(color.to_bytes()), shown, "{name}: pixel {x},{y}");
+        }
+    }
+}
+
+/// Negates each 0 of a scene file, of whatever meaning.
+#[test]
+fn the_sign_of_a_zero_changes_no_picture_of_the_book() {
+    for file in fs::read_dir("scenes").unwrap() {
+        let path = file.unwrap().path();
+        if path.extension() != Some("toml".as_ref()) {
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        let mesh = |name: &str| Mesh::read(&fs::read(path.with_file_name(name)).unwrap());
+        let file = FORMAT.read(&text, &mesh).unwrap();
+        let numbers = file.numbers(&text);
+        let zeros = numbers.iter().filter(|number| number.value == 0.0);
+        let negated: Vec<_> = zeros.map(|number| (number, -0.0)).collect();
+        let negated = file.with(Transfer::default(), &negated).unwrap();
+        for renderer in [Renderer::Lesson, Renderer::Engine] {
+            let pictures = [&file, &negated].map(|file| {
+                let (settings, view) = FORMAT.scene(file).unwrap();
+                let settings = Settings {
+                    size: Size::new(48, 36).unwrap(),
+                    renderer,
+                    ..settings
+                };
+                view.render(&settings, &()).unwrap()
+            });
+            assert!(pictures[0] == pictures[1], "{path:?}, {renderer:?}");
         }
     }
 }

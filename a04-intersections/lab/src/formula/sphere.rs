@@ -85,7 +85,11 @@ impl Terms<f64> {
             return None;
         }
         let half = (self.discriminant / self.a).sqrt();
-        let greater = self.middle + half.copysign(self.middle);
+        let greater = if self.middle < 0.0 {
+            self.middle - half
+        } else {
+            self.middle + half
+        };
         let other = power / (self.a * greater);
         let (near, far) = if other < greater {
             (other, greater)

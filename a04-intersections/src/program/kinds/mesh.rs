@@ -1,26 +1,32 @@
 //! `Mesh`: the triangles of a mesh file, as one geometry that has one surface.
 
 use a03_rays_cameras::Ray;
-use common::Color;
 use scene_file::{Data, Error, Item};
 
 use super::{Content, ShapeKind, triangle};
-use crate::{Geometry, Hit, Interval, World};
+use crate::{Geometry, Hit, Interval, Triangle};
 
 /// The triangles of a mesh.
 #[derive(Debug)]
-pub struct Mesh(World<()>);
+pub struct Mesh(Vec<Triangle>);
 
 /// The nearest hit of its triangles.
 impl Geometry for Mesh {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        self.0.hit(ray, within).map(|(hit, ())| hit)
+    fn hit(&self, ray: &Ray, mut within: Interval) -> Option<Hit> {
+        let mut nearest = None;
+        for triangle in &self.0 {
+            if let Some(hit) = triangle.hit(ray, within) {
+                within.max = hit.t;
+                nearest = Some(hit);
+            }
+        }
+        nearest
     }
 
     /// Tests all triangles, so that their number is the work of a ray.
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
         let mut found = false;
-        for (triangle, ()) in self.0.objects() {
+        for triangle in &self.0 {
             found |= triangle.any_hit(ray, within, counts);
         }
         found
@@ -33,23 +39,19 @@ impl ShapeKind for Mesh {
         let Some(Data::Mesh(mesh)) = item.find("file") else {
             return Err(item.lacks("file"));
         };
-        let mut triangles = item.check(World::new(Color::BLACK))?;
-        for (corners, normals) in mesh.triangles() {
-            if let Ok(triangle) = triangle(corners, normals) {
-                triangles.objects.push((Box::new(triangle), ()));
-            }
-        }
-        Ok(Self(triangles))
+        let triangles = mesh.triangles();
+        let with_area = triangles.filter_map(|(corners, normals)| triangle(corners, normals).ok());
+        Ok(Self(with_area.collect()))
     }
 
     fn content(&self) -> Content<'_> {
         Content::Children {
-            shapes: self.0.objects().map(|(triangle, ())| triangle).collect(),
+            shapes: self.0.iter().map(|triangle| triangle as _).collect(),
             transform: None,
         }
     }
 
     fn tests(&self) -> u64 {
-        self.0.objects.len() as u64
+        self.0.len() as u64
     }
 }

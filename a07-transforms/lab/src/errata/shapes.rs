@@ -121,8 +121,9 @@ pub fn order() -> Scene {
                 let object_ray = Ray::derived(chain.i * ray.origin(), chain.i * ray.direction());
                 let hit = cube.hit(&object_ray, Interval::AHEAD)?;
                 let normal = unnormalized_normal(chain.i, hit.normal).normalized()?;
-                let to_eye = -1.0_f64.copysign(normal.dot(ray.direction()));
-                Some(Hit::new(hit.t, (normal * to_eye).as_normal()))
+                let is_turned = normal.dot(ray.direction()) > 0.0;
+                let to_eye = if is_turned { -normal } else { normal };
+                Some(Hit::new(hit.t, to_eye.as_normal()))
             })
         },
         |_| {

@@ -14,4 +14,6 @@ mod own_types;
 mod random_scene;
 mod same_hits;
 mod same_pictures;
+mod scene_files;
 mod shapes;
+mod written;

@@ -99,7 +99,7 @@ impl Light for Nowhere {
 /// along.
 #[test]
 fn numbers_that_are_none_spoil_no_other_ray() {
-    let view = |seed, mut place: Place| {
+    let view = |seed, mut place: Place| -> Result<_, ArgumentError> {
         let mut shapes = place.shapes();
         for variant in 0..8 {
             let sphere = Sphere::new(place.point(), place.length())?;

@@ -2,10 +2,11 @@
 
 use std::collections::HashSet;
 use std::env;
+use std::fmt::Debug;
 use std::ops::Range;
 
 use a03_rays_cameras::View;
-use common::{ArgumentError, Color, Image, Renderer, Settings, Size};
+use common::{Color, Image, Renderer, Settings, Size};
 
 use crate::random_scene::Place;
 
@@ -45,20 +46,25 @@ fn is_same(a: Color, b: Color) -> bool {
     channels.all(|(a, b)| a == b || a.is_nan() && b.is_nan())
 }
 
-/// Compares the renderers in extreme scenes with these seeds, or in as many scenes as the environment
-/// variable `RANDOM_SCENES` says. A scene without a view has numbers beyond the limits of the lesson. Most
-/// of them have to have a picture, and many of these more than ten colours.
-pub fn compare_scenes(seeds: Range<u64>, view: impl Fn(u64, Place) -> Result<View, ArgumentError>) {
+/// These seeds, or as many as the environment variable `RANDOM_SCENES` says.
+pub fn or_asked(seeds: Range<u64>) -> Range<u64> {
     let asked = env::var("RANDOM_SCENES");
-    let asked = asked.ok().and_then(|count| count.parse().ok());
-    let count = asked.unwrap_or(seeds.end - seeds.start);
+    let asked: Option<u64> = asked.ok().and_then(|count| count.parse().ok());
+    seeds.start..asked.map_or(seeds.end, |count| seeds.start + count)
+}
+
+/// Compares the renderers in extreme scenes with these seeds, or in more of them. A scene without a view has numbers beyond the limits of the lesson. Most
+/// of them have to have a picture, and many of these more than ten colours.
+pub fn compare_scenes<E: Debug>(seeds: Range<u64>, view: impl Fn(u64, Place) -> Result<View, E>) {
+    let seeds = or_asked(seeds);
+    let count = seeds.end - seeds.start;
     let settings = Settings {
         size: Size::new(SIDE, SIDE).unwrap(),
         depth: 4,
         ..Settings::default()
     };
     let (mut pictures, mut colorful) = (0, 0);
-    for seed in (seeds.start..).take(count as usize) {
+    for seed in seeds {
         let view = || view(seed, Place::new(seed));
         if view().is_err() {
             continue;

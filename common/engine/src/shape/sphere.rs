@@ -99,7 +99,8 @@ impl<S: Simd> Spheres<S> {
         let discriminant = r * r - l.dot(l);
 
         // A negative discriminant makes all that follows NaN.
-        let t1 = middle + (discriminant / a).sqrt().copysign(middle);
+        let root = (discriminant / a).sqrt();
+        let t1 = middle.simd_lt(0.0).select(middle - root, middle + root);
         // Where a ray touches the sphere at its own origin, both roots are 0, which is no hit;
         // here t0 is 0 / 0 = NaN, which is none, either.
         let t0 = outside / (a * t1);

@@ -15,8 +15,9 @@ pub(super) fn offset_rays<S: Simd>(
     direction: Vector3x4<S>,
 ) -> RayPacket<S> {
     let point = rays.at(hit.t);
-    let side = hit.geometric_normal.dot(direction);
-    let offset = hit.rounding_error(rays).copysign(side);
+    let error = hit.rounding_error(rays);
+    let leads_below = hit.geometric_normal.dot(direction).simd_lt(0.0);
+    let offset = leads_below.select(-error, error);
     RayPacket {
         origin: point + hit.geometric_normal * offset,
         direction,
