@@ -1,5 +1,6 @@
 //! `Mesh`: the triangles of an OBJ or PLY file.
 
+mod corner_tree;
 mod obj;
 mod places;
 mod ply;

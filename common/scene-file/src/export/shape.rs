@@ -28,7 +28,10 @@ pub fn text(
 ) -> Result<String, String> {
     let (mut text, mut groups, mut transforms) = (String::new(), prefix.to_owned(), String::new());
     let mut used = used;
-    for Transform { matrix, inverse } in &shape.transforms {
+    for Transform {
+        matrix, inverse, ..
+    } in &shape.transforms
+    {
         let columns = [0, 1, 2, 3].map(|i| matrix.col(i).truncate().to_array());
         if let Ok(outwards) = language.find("outwards", "columns", &[columns.as_flattened()]) {
             transforms = outwards + &transforms;
