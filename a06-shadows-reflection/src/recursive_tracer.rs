@@ -66,7 +66,7 @@ impl Lighting for RecursiveTracer<'_> {
             let Some(light) = source.illumination(point) else {
                 continue;
             };
-            if hit.normal.dot(light.direction) <= 0.0 {
+            if light.color == Color::BLACK || hit.normal.dot(light.direction) <= 0.0 {
                 continue;
             }
             let objects = self.world.objects();

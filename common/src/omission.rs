@@ -8,6 +8,8 @@ pub enum Omission {
     FartherOccluders,
     /// Shadow rays to lights that cast no shadows.
     LightsWithoutShadows,
+    /// Shadow rays to lights of the colour 0.
+    BlackLights,
     /// Shadow rays to lights behind the surface.
     LightsBehind,
     /// Shadow rays from surfaces whose colour does not depend on light.
@@ -18,6 +20,8 @@ pub enum Omission {
     BlackMirrors,
     /// Reflected rays that bring back less than the allowed error.
     FaintReflections,
+    /// Moving rays into the space of nodes that leave them as they are.
+    IdentityTransforms,
     /// Tests of objects whose bounding boxes the ray misses.
     DistantObjects,
 }
@@ -25,21 +29,24 @@ pub enum Omission {
 impl Omission {
     /// All kinds, in the order in which a measurement puts them back: each with those before it, so
     /// that work which several of them leave out counts for the last check that the ray would pass.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::FartherOccluders,
         Self::LightsWithoutShadows,
+        Self::BlackLights,
         Self::LightsBehind,
         Self::UnlitSurfaces,
         Self::UnseenHighlights,
         Self::BlackMirrors,
         Self::FaintReflections,
+        Self::IdentityTransforms,
         Self::DistantObjects,
     ];
 
     /// The omissions of the lesson.
-    pub const OF_LESSON: [Self; 6] = [
+    pub const OF_LESSON: [Self; 7] = [
         Self::FartherOccluders,
         Self::LightsWithoutShadows,
+        Self::BlackLights,
         Self::LightsBehind,
         Self::UnlitSurfaces,
         Self::UnseenHighlights,

@@ -18,7 +18,11 @@ fn plane() -> Plane {
 
 /// Black surroundings, with a lamp at a height.
 fn lit(height: f64, casts_shadows: bool) -> ShadowedWorld {
-    let light = PointLight::new(Color::WHITE, Point3::new(0.0, height, 0.0)).unwrap();
+    lit_by(Color::WHITE, height, casts_shadows)
+}
+
+fn lit_by(color: Color, height: f64, casts_shadows: bool) -> ShadowedWorld {
+    let light = PointLight::new(color, Point3::new(0.0, height, 0.0)).unwrap();
     ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))
         .unwrap()
         .lit_by(LightSource::new(light, casts_shadows))
@@ -34,6 +38,10 @@ fn matt_without_shadows() -> ShadowedWorld {
 
 fn lamp_below() -> ShadowedWorld {
     lit(-5.0, true).with(plane(), black_highlight())
+}
+
+fn black_lamp() -> ShadowedWorld {
+    lit_by(Color::BLACK, 5.0, true).with(plane(), black_highlight())
 }
 
 fn single_color() -> ShadowedWorld {
@@ -88,9 +96,10 @@ fn work(world: fn() -> ShadowedWorld, depth: u32) -> [Counts; 2] {
 /// the dark.
 #[test]
 fn the_work_that_is_left_out_is_not_counted() {
-    let cases: [(fn() -> ShadowedWorld, _, _, _, _, _); 5] = [
+    let cases: [(fn() -> ShadowedWorld, _, _, _, _, _); 6] = [
         (matt_without_shadows, 3, [1, 3], [0, 1], [0, 1], [0, 1]),
         (lamp_below, 1, [1, 2], [0, 1], [0, 0], [0, 1]),
+        (black_lamp, 1, [1, 2], [0, 1], [0, 0], [0, 1]),
         (single_color, 1, [1, 2], [0, 1], [0, 0], [0, 0]),
         (occluder, 1, [3, 4], [1, 1], [0, 0], [0, 0]),
         (mirror, 2, [3, 3], [1, 1], [1, 1], [0, 1]),

@@ -84,7 +84,7 @@ impl ShapeKind for Node {
             [self.transform.matrix(), self.transform.inverse()].map(Mat4x4::to_glam);
         Content::Children {
             shapes: self.children.iter().map(|child| &**child).collect(),
-            transform: Some(Box::new(engine::Transform { matrix, inverse })),
+            transform: Some(Box::new(engine::Transform::new(matrix, inverse))),
         }
     }
 

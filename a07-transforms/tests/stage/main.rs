@@ -18,3 +18,4 @@ mod scene_cases;
 mod scene_files;
 mod schema;
 mod sensitivity;
+mod work;

@@ -33,11 +33,14 @@ impl<'a> Renderer<'a> {
             background,
             ambient,
             depth,
-            shapes,
+            mut shapes,
             surfaces,
             lights,
         } = scene;
         let omissions = settings.omissions.unwrap_or(Omissions::ALL);
+        if omissions.contains(Omission::IdentityTransforms) {
+            shapes.omit_identities();
+        }
         let accelerator = if omissions.contains(Omission::DistantObjects) {
             Accelerator::new(shapes)
         } else {

@@ -33,7 +33,7 @@ pub(crate) use rays::Rays;
 use sheared_rays::ShearedRays;
 pub use sphere::Sphere;
 pub use transform::Transform;
-pub(crate) use transformed::Transformed;
+pub(crate) use transformed::{Transformed, hits_around_identities};
 pub(crate) use triangle::Corners;
 pub use triangle::Triangle;
 

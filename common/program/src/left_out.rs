@@ -29,6 +29,10 @@ impl Words {
                 "shadow rays to a light that casts no shadows",
                 "the light arrives, whatever is between",
             ),
+            Omission::BlackLights => (
+                "shadow rays to a light of the colour 0",
+                "it brings no light",
+            ),
             Omission::LightsBehind => (
                 "shadow rays to a light behind the surface",
                 "Lambert's cosine is at most 0 and counts as 0",
@@ -48,6 +52,10 @@ impl Words {
             Omission::FaintReflections => (
                 "reflected rays that nobody could see",
                 "what they bring back is less than the allowed error",
+            ),
+            Omission::IdentityTransforms => (
+                "rays into the space of a group that does not move its shapes",
+                "they are the same rays there",
             ),
             Omission::DistantObjects => (
                 "tests of objects far from a ray",
@@ -106,7 +114,7 @@ impl LeftOut {
 fn is_left_out(omission: Omission, settings: &Settings) -> bool {
     let is_engine = settings.renderer == Renderer::Engine;
     match omission {
-        Omission::DistantObjects => is_engine,
+        Omission::IdentityTransforms | Omission::DistantObjects => is_engine,
         Omission::FaintReflections => is_engine && settings.max_error.is_some(),
         _ => true,
     }

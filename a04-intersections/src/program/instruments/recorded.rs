@@ -8,7 +8,7 @@ use common::Color;
 use common::steps::{self, Outcome, Step, StepKind};
 
 use crate::instruments::objects;
-use crate::kinds::{ShapeKind, ShapeRow, Shapes};
+use crate::kinds::{Content, ShapeKind, ShapeRow, Shapes};
 use crate::{Geometry, Hit, Interval, World};
 
 const WORLD: &str = "a04-intersections.md#hit-and-world";
@@ -58,8 +58,33 @@ impl Geometry for RecordedGeometry {
     }
 
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
-        self.test(ray, within, || self.geometry.any_hit(ray, within, counts))
+        if self.tests == 1 || !steps::is_counting() {
+            return self.test(ray, within, || self.geometry.any_hit(ray, within, counts));
+        }
+        any_part(&*self.geometry, self.shapes, &mut |part| {
+            steps::count(StepKind::Test, self.shapes.tests(part));
+            part.any_hit(ray, within, counts)
+        })
     }
+}
+
+/// Whether this is true of any part of a mesh or of shared shapes, which are asked one after the
+/// other, as in a search that a hit ends.
+fn any_part(
+    geometry: &dyn Geometry,
+    shapes: Shapes,
+    is_true: &mut dyn FnMut(&dyn Geometry) -> bool,
+) -> bool {
+    let kind = shapes.row(geometry).and_then(|row| row.get(geometry));
+    if let Some(Content::Children {
+        shapes: parts,
+        transform: None,
+    }) = kind.map(ShapeKind::content)
+    {
+        let mut parts = parts.into_iter();
+        return parts.any(|part| any_part(part, shapes, is_true));
+    }
+    is_true(geometry)
 }
 
 impl RecordedGeometry {

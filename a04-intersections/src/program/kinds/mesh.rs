@@ -23,13 +23,9 @@ impl Geometry for Mesh {
         nearest
     }
 
-    /// Tests all triangles, so that their number is the work of a ray.
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
-        let mut found = false;
-        for triangle in &self.0 {
-            found |= triangle.any_hit(ray, within, counts);
-        }
-        found
+        let mut triangles = self.0.iter();
+        triangles.any(|triangle| triangle.any_hit(ray, within, counts))
     }
 }
 

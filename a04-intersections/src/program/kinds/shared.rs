@@ -62,13 +62,9 @@ impl Geometry for Shared {
         nearest
     }
 
-    /// Tests all shapes, so that their number is the work of a ray.
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
-        let mut found = false;
-        for shape in self.shapes() {
-            found |= shape.any_hit(ray, within, counts);
-        }
-        found
+        let mut shapes = self.shapes();
+        shapes.any(|shape| shape.any_hit(ray, within, counts))
     }
 }
 

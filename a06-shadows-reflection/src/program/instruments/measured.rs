@@ -1,6 +1,6 @@
 //! A tracer that leaves out only the work that it is told to, for the comparison with the lesson.
 //! With nothing left out it follows reflected rays through black mirrors, and sends shadow rays to
-//! lights that are behind the surface or cast no shadows.
+//! lights that are black, behind the surface, or cast no shadows.
 
 use std::cell::Cell;
 
@@ -63,6 +63,7 @@ impl Lighting for MeasuredTracer<'_> {
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        let omits_black = self.omissions.contains(Omission::BlackLights);
         let omits_behind = self.omissions.contains(Omission::LightsBehind);
         let omits_without_shadows = self.omissions.contains(Omission::LightsWithoutShadows);
         let point = ray.at(hit.t);
@@ -70,6 +71,9 @@ impl Lighting for MeasuredTracer<'_> {
             let Some(light) = source.illumination(point) else {
                 continue;
             };
+            if omits_black && light.color == Color::BLACK {
+                continue;
+            }
             if omits_behind && hit.normal.dot(light.direction) <= 0.0 {
                 continue;
             }

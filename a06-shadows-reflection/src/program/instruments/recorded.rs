@@ -178,7 +178,7 @@ impl RecordedSurface {
             recorded: RecordedMaterial {
                 material: surface,
                 kinds: KINDS,
-                is_lit_from_behind: false,
+                gets_all_light: false,
                 omissions,
             },
         })

@@ -195,8 +195,7 @@ fn branch(mut shape: Shape<'static>, base: &[DMat4]) -> Shape<'static> {
     let stretched = DMat4::from_scale(dvec3(0.12, 0.55, 0.12));
     let raised = DMat4::from_translation(DVec3::Y * 0.5) * stretched;
     for matrix in [&raised].into_iter().chain(base) {
-        let (matrix, inverse) = (*matrix, matrix.inverse());
-        shape = shape.transformed(&Transform { matrix, inverse });
+        shape = shape.transformed(&Transform::new(*matrix, matrix.inverse()));
     }
     shape
 }

@@ -9,12 +9,15 @@ use super::{Occluder, Shapes};
 use crate::lanes::{Lanes, Simd, bits, bits_of, splat};
 use crate::shape::{List, Primitive, Rays};
 
-/// Position of a shape in the list of the scene, which breaks ties, and the index of its
-/// surface.
+/// What a shape is besides its numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Attributes {
+    /// Its position in the list of the scene, which breaks ties.
     pub order: u32,
+    /// The index of its surface.
     pub surface: u32,
+    /// The number of transforms by the identity around it, which are applied to its hits alone.
+    pub identities: u32,
 }
 
 /// Shapes of one kind and their attributes.

@@ -1,11 +1,13 @@
 //! `Shapes`: the shapes of a scene, those of a kind side by side in memory.
 
+use std::mem;
+
 use super::ids::{Kind, ShapeId};
 use super::shape_list::{Attributes, ShapeList};
 use crate::lanes::{Lanes, PacketHit, Simd};
 use crate::shape::{
     AxisAlignedBox, Bounds, Counts, Disc, List, Mesh, Other, Plane, Primitive, Rays, Shape, Sphere,
-    Transformed, hits,
+    Transformed, hits, hits_around_identities,
 };
 
 /// All shapes of a scene.
@@ -44,7 +46,29 @@ impl<'a> Shapes<'a> {
     /// Adds a shape to those of its kind.
     pub fn push(&mut self, shape: Shape<'a>, surface: u32) {
         let order = self.len() as u32;
-        let own = Attributes { order, surface };
+        let own = Attributes {
+            order,
+            surface,
+            identities: 0,
+        };
+        self.add(shape, own);
+    }
+
+    /// Moves no rays by the identity. A shape under no other transform joins those of its kind.
+    pub fn omit_identities(&mut self) {
+        let ShapeList { shapes, attributes } = mem::take(&mut self.transformed);
+        for (mut transformed, own) in shapes.into_iter().zip(attributes) {
+            let is_instance = matches!(*transformed.shape, Shape::Instance(_));
+            if transformed.omit_identities() && !is_instance {
+                let identities = transformed.steps.len() as u32;
+                self.add(*transformed.shape, Attributes { identities, ..own });
+            } else {
+                self.add(Shape::Transformed(transformed), own);
+            }
+        }
+    }
+
+    fn add(&mut self, shape: Shape<'a>, own: Attributes) {
         match shape {
             Shape::Sphere(shape) => self.spheres.with(own).push(shape),
             Shape::Triangle(shape) => self.triangles.with(own).push(&shape),
@@ -105,12 +129,13 @@ impl<'a> Shapes<'a> {
         active: u32,
     ) -> PacketHit<S> {
         let index = shape.index as usize;
-        with_list!(self, shape.kind, |list| hits(
-            list.shapes.get(index),
-            rays,
-            t,
-            active
-        ))
+        with_list!(self, shape.kind, |list| {
+            let hit = hits(list.shapes.get(index), rays, t, active);
+            match list.attributes[index].identities {
+                0 => hit,
+                count => hits_around_identities(count, hit, &rays.packet),
+            }
+        })
     }
 
     /// [`Primitive::any_hit_of_parts`] of a shape.
@@ -124,13 +149,16 @@ impl<'a> Shapes<'a> {
         counts: Counts<S>,
     ) -> u32 {
         let index = shape.index as usize;
+        let count = self.attributes(shape).identities;
+        let counts =
+            |hit: &PacketHit<S>| counts(&hits_around_identities(count, *hit, &rays.packet));
         before.simd.vectorize(
             #[inline(always)]
             || {
                 with_list!(self, shape.kind, |list| list
                     .shapes
                     .get(index)
-                    .any_hit_of_parts(rays, before, active, counts))
+                    .any_hit_of_parts(rays, before, active, &counts))
             },
         )
     }
@@ -159,7 +187,7 @@ impl<'a> Shapes<'a> {
             order.push(shape.index);
             shape.index = order.len() as u32 - 1;
         }
-        let mut order = |kind: Kind| std::mem::take(&mut orders[kind as usize]);
+        let mut order = |kind: Kind| mem::take(&mut orders[kind as usize]);
         self.spheres.reorder(order(Kind::Sphere));
         self.triangles.reorder(order(Kind::Triangle));
         self.boxes.reorder(order(Kind::Box));

@@ -34,6 +34,7 @@ impl<'a> Instance<'a> {
         for shape in shapes {
             all.push(shape, 0);
         }
+        all.omit_identities();
         let bounds = all.bounds().map(|(_, bounds)| bounds);
         Self(Arc::new(Prototype {
             bounds: bounds.fold(Bounds::EMPTY, Bounds::union),

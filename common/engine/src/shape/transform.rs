@@ -12,6 +12,9 @@ pub struct Transform {
     pub matrix: DMat4,
     /// From the space around the object to its own.
     pub inverse: DMat4,
+    /// Whether it is applied to rays. The identity need not be: it changes only signs of zeros,
+    /// and no formula asks for these. Of hits it rounds the normals and the scale.
+    pub(crate) moves_rays: bool,
 }
 
 /// Largest product of the magnitudes of matrix and inverse for which rounding leaves most
@@ -23,6 +26,18 @@ pub(super) const WORST_CONDITION: f64 = 1_048_576.0;
 const LARGEST_ENTRY: f64 = 1e100;
 
 impl Transform {
+    pub(super) const IDENTITY: Self = Self::new(DMat4::IDENTITY, DMat4::IDENTITY);
+
+    /// A matrix, from the space of the object to the space around it, and its inverse.
+    #[must_use]
+    pub const fn new(matrix: DMat4, inverse: DMat4) -> Self {
+        Self {
+            matrix,
+            inverse,
+            moves_rays: true,
+        }
+    }
+
     /// Whether rounding keeps every transformed normal: a shape under another transform has to
     /// be handed over as a function.
     ///
@@ -47,6 +62,9 @@ impl Transform {
     /// gives them, so that `t` means the same in both spaces.
     #[inline(always)]
     pub(crate) fn rays<S: Simd>(&self, rays: &RayPacket<S>) -> RayPacket<S> {
+        if !self.moves_rays {
+            return *rays;
+        }
         let [x, y, z, w] = self.columns(rays.simd());
         let RayPacket { origin, direction } = rays;
         RayPacket {

@@ -4,6 +4,7 @@
 //! product would round otherwise. Only the bounds come from the product.
 
 use common::steps::{self, StepKind};
+use glam::DMat4;
 
 use super::transform::spectral_norm;
 use super::transformed_bounds::transformed_bounds;
@@ -18,10 +19,19 @@ pub struct Transformed<'a> {
 }
 
 impl Transformed<'_> {
+    /// Leaves rays as they are at each step that is the identity. Returns whether all are.
+    pub(crate) fn omit_identities(&mut self) -> bool {
+        for step in &mut self.steps {
+            step.moves_rays = step.inverse != DMat4::IDENTITY;
+        }
+        self.steps.iter().all(|step| !step.moves_rays)
+    }
+
     /// Counts the work of the active lanes.
     #[inline]
     fn count(&self, active: u32) {
-        let tests = u64::from(active.count_ones()) * self.steps.len() as u64;
+        let moving = self.steps.iter().filter(|step| step.moves_rays);
+        let tests = u64::from(active.count_ones()) * moving.count() as u64;
         steps::count(StepKind::ObjectRay, tests);
         steps::count(StepKind::Test, tests);
     }
@@ -74,6 +84,18 @@ impl Transformed<'_> {
             counts(&hits_around(step, hit, &rays.packet))
         })
     }
+}
+
+/// Four hits in the space around this many transforms by the identity.
+pub(crate) fn hits_around_identities<S: Simd>(
+    count: u32,
+    hit: PacketHit<S>,
+    rays: &RayPacket<S>,
+) -> PacketHit<S> {
+    rays.simd().vectorize(
+        #[inline(always)]
+        || (0..count).fold(hit, |hit, _| hits_around(&Transform::IDENTITY, &hit, rays)),
+    )
 }
 
 /// Four hits in the space around a transformed object.

@@ -89,6 +89,9 @@ impl Tracer<'_> {
                 continue;
             }
             let mut of_source = source.illuminate(rays.at(hit.t), responding);
+            if self.omits(Omission::BlackLights) {
+                of_source.lit &= !of_source.color.are_black();
+            }
             let facing = hit.normal.dot(of_source.direction).simd_gt(0.0);
             if self.omits(Omission::LightsBehind) {
                 of_source.lit &= bits_of(facing);

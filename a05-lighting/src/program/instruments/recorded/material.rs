@@ -24,7 +24,7 @@ pub fn material(
     Box::new(RecordedMaterial {
         material,
         kinds,
-        is_lit_from_behind: true,
+        gets_all_light: true,
         omissions,
     })
 }
@@ -36,8 +36,8 @@ pub struct RecordedMaterial {
     pub material: Box<dyn Material>,
     /// The rows of materials.
     pub kinds: Materials,
-    /// Whether light from behind the surface reaches the material.
-    pub is_lit_from_behind: bool,
+    /// Whether black light, and light from behind the surface, reaches the material.
+    pub gets_all_light: bool,
     /// The work that it leaves out.
     pub omissions: Omissions,
 }
@@ -186,7 +186,9 @@ impl Lighting for RecordedLighting<'_> {
             let takes_every_power = phong.is_some() && recorded.takes_every_power();
             let is_seen = phong.is_some_and(|phong| is_seen(phong, ray, hit, light));
             steps::count(StepKind::Power, (takes_every_power || is_seen).into());
-            let is_lit = recorded.is_lit_from_behind || hit.normal.dot(light.direction) > 0.0;
+            let is_black = light.color == Color::BLACK;
+            let is_lit = !is_black && hit.normal.dot(light.direction) > 0.0;
+            let is_lit = is_lit || recorded.gets_all_light;
             if is_lit {
                 steps::push(StepKind::ReflectedLight, |kind| {
                     recorded.reflected(kind, ray, hit, light)
@@ -228,6 +230,7 @@ fn add_outcomes(steps: &mut [Step], hit: &Hit) {
         let mut tests = parts.iter().filter(|step| step.kind == StepKind::Test);
         light.outcome = match tests.rfind(|test| test.outcome == Outcome::Hit) {
             _ if arrives => Outcome::Arrives,
+            _ if light.value("cl") == Some([0.0; 3]) => Outcome::Dark,
             Some(test) if cosine > 0.0 => Outcome::BlockedBy(test.name.clone()),
             _ => Outcome::BehindSurface,
         };

@@ -23,8 +23,7 @@ const BALL: Sphere = Sphere {
 /// A shape under transforms, the innermost first.
 fn under<'a>(shape: Shape<'a>, matrices: &[DMat4]) -> Shape<'a> {
     matrices.iter().fold(shape, |shape, matrix| {
-        let (matrix, inverse) = (*matrix, matrix.inverse());
-        shape.transformed(&Transform { matrix, inverse })
+        shape.transformed(&Transform::new(*matrix, matrix.inverse()))
     })
 }
 
