@@ -257,9 +257,10 @@ impl Writer {
                     matrix(factors, 1.0),
                     matrix([1.0 / x, 1.0 / y, 1.0 / z], -1.0 / x),
                 );
-                match self.once_in(2) {
-                    true => format!("{{ matrix = {forth}, inverse = {back} }}"),
-                    false => format!("{{ matrix = {forth} }}"),
+                if self.once_in(2) {
+                    format!("{{ matrix = {forth}, inverse = {back} }}")
+                } else {
+                    format!("{{ matrix = {forth} }}")
                 }
             }
             _ => format!("{{ scale = {} }}", written(factors)),
