@@ -19,13 +19,14 @@ impl Written {
             text: String::new(),
         };
         let mesh = writer.mesh();
-        writer.camera();
-        writer.materials();
-        writer.lights();
-        writer.line("[define.part]", "");
-        writer.transform(1);
-        writer.shapes("define.part.", 1);
-        writer.shapes("", 0);
+        writer.add_one_of(&CAMERAS);
+        writer.add(REST);
+        for _ in 0..writer.numbers.below(5) {
+            writer.add_one_of(&LIGHTS);
+        }
+        writer.add("[define.part]\ntransform = [STEPS]\n");
+        writer.add_shapes("define.part.", 1);
+        writer.add_shapes("", 0);
         Self {
             scene: writer.text,
             mesh,
@@ -34,20 +35,67 @@ impl Written {
 
     /// The same files with each 0 negated.
     pub fn with_negative_zeros(&self) -> Self {
-        let negated = |text: &str| text.replace("0e0", "-0e0");
-        Self {
-            scene: negated(&self.scene),
-            mesh: negated(&self.mesh),
-        }
+        let [scene, mesh] = [&self.scene, &self.mesh].map(|text| text.replace("0e0", "-0e0"));
+        Self { scene, mesh }
     }
 }
 
-/// Names of materials, of which the last mirrors.
-const MATERIALS: [&str; 3] = ["matt", "shiny", "mirror"];
+const CAMERAS: [&str; 3] = [
+    "[camera]\neye = FAR\nlook_at = POINT\nangle = 40\n",
+    "[camera]\neye = FAR\nlook_at = POINT\nscale = 4\nup = DIRECTION\n",
+    "[camera]\neye = POINT\ngaze = DIRECTION\nangle = 90\n",
+];
 
-/// The kinds of shapes; the last three have shapes in them.
-const SHAPES: [&str; 10] = [
-    "sphere", "plane", "box", "triangle", "disc", "mesh", "mesh", "group", "repeat", "use",
+const REST: &str = "[world]\nbackground = COLOR\nambient = COLOR\n\
+    [material.matt]\ndiffuse = COLOR\n\
+    [material.shiny]\ndiffuse = COLOR\nspecular = COLOR\nexponent = 2.5\n\
+    [material.mirror]\ndiffuse = COLOR\nspecular = COLOR\nexponent = 0e0\nreflection = COLOR\n";
+
+const LIGHTS: [&str; 4] = [
+    "[[point_light]]\ncolor = COLOR\nposition = POINT\n",
+    "[[spot_light]]\ncolor = COLOR\nposition = FAR\ndirection = DIRECTION\nhalf_angle = 45\n",
+    "[[directional_light]]\ncolor = COLOR\ndirection = DIRECTION\n",
+    "[[directional_light]]\ncolor = COLOR\ndirection = DIRECTION\nshadows = false\n",
+];
+
+/// The tables and keys of shapes; the last four have shapes in them.
+const SHAPES: [(&str, &str); 13] = [
+    ("sphere", "center = POINT\nradius = 0.5\n"),
+    ("plane", "point = POINT\nnormal = DIRECTION\n"),
+    ("box", "lbf = POINT\nrun = POINT\n"),
+    ("triangle", "corners = [POINT, POINT, POINT]\n"),
+    (
+        "triangle",
+        "corners = [POINT, POINT, POINT]\nnormals = [DIRECTION, DIRECTION, DIRECTION]\n",
+    ),
+    ("disc", "center = POINT\nnormal = DIRECTION\nradius = 1\n"),
+    ("mesh", "file = \"m\"\nsmooth = true\n"),
+    ("mesh", "file = \"m\"\nsmooth = true\n"),
+    ("mesh", "file = \"m\"\nsmooth = false\n"),
+    ("use", "name = \"part\"\n"),
+    ("group", ""),
+    ("repeat", "count = 3\ntranslate = POINT\n"),
+    ("repeat", "count = 2\nrotate = [0e0, ANGLE, 0e0]\n"),
+];
+
+const SURFACES: [&str; 4] = [
+    "color = COLOR\n",
+    "material = \"matt\"\n",
+    "material = \"shiny\"\n",
+    "material = \"mirror\"\n",
+];
+
+const STEPS: [&str; 9] = [
+    "{ scale = [FACTOR, FACTOR, FACTOR] }, ",
+    "{ scale = [FACTOR, FACTOR, FACTOR] }, ",
+    "{ translate = POINT }, ",
+    "{ rotate_x = ANGLE }, ",
+    "{ rotate_y = ANGLE }, ",
+    "{ rotate_z = ANGLE }, ",
+    "{ rotate = [ANGLE, 0e0, ANGLE] }, ",
+    "{ matrix = [[-1, 0e0, 0e0, 1], [0e0, 2, 0e0, 0e0], [0e0, 0e0, 1, 0e0]] }, ",
+    "{ matrix = [[1, 0e0, 0e0, 2], [0e0, -1, 0e0, 0e0], [0e0, 0e0, 1, 0e0]], \
+        inverse = [[1, 0e0, 0e0, -2], [0e0, -1, 0e0, 0e0], [0e0, 0e0, 1, 0e0]] }, ",
 ];
 
 struct Writer {
@@ -55,215 +103,69 @@ struct Writer {
     text: String,
 }
 
-fn written(numbers: [f64; 3]) -> String {
-    let [x, y, z] = numbers.map(|x| {
-        if x == 0.0 {
-            "0e0".into()
-        } else {
-            format!("{x:?}")
-        }
-    });
-    format!("[{x}, {y}, {z}]")
-}
-
 impl Writer {
-    fn line(&mut self, key: &str, value: impl AsRef<str>) {
-        let equals = if key.starts_with('[') { "" } else { " = " };
-        let _ = writeln!(self.text, "{key}{equals}{}", value.as_ref());
-    }
-
-    /// Whether one of `count` cases is this one.
-    fn once_in(&mut self, count: usize) -> bool {
-        self.numbers.below(count) == 0
-    }
-
     fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
         values[self.numbers.below(values.len())]
     }
 
+    fn add_one_of(&mut self, texts: &[&str]) {
+        let text = self.one_of(texts);
+        self.add(text);
+    }
+
+    /// Adds a text, in which random values stand for words in capitals.
+    fn add(&mut self, text: &str) {
+        let ends = [' ', ',', '[', ']', '\n'];
+        for word in text.split_inclusive(ends) {
+            let name = word.trim_end_matches(ends);
+            let is_along_axis = self.numbers.below(2) == 0;
+            let mut numbers = [(); 3].map(|()| self.number());
+            let axis = self.numbers.below(3);
+            match name {
+                "FAR" => numbers[axis] = self.one_of(&[3.0, -3.0, 6.0]),
+                "DIRECTION" => {
+                    numbers = numbers.map(|x| if is_along_axis { 0.0 } else { x });
+                    numbers[axis] = self.one_of(&[1.0, -1.0]);
+                }
+                // Half of all colours are black.
+                "COLOR" => {
+                    numbers = numbers.map(|x| if is_along_axis { 0.0 } else { x.abs() / 2.0 });
+                }
+                _ => {}
+            }
+            match name {
+                "POINT" | "FAR" | "DIRECTION" | "COLOR" => self.text += &written(numbers),
+                "ANGLE" => self.add_one_of(&["0e0", "90", "180", "30"]),
+                "FACTOR" => self.add_one_of(&["1", "1", "-1", "0.5", "-2"]),
+                "STEPS" => (0..axis).for_each(|_| self.add_one_of(&STEPS)),
+                _ => self.text += name,
+            }
+            self.text += &word[name.len()..];
+        }
+    }
+
     /// Halves up to 2, and in one of eight cases any number.
     fn number(&mut self) -> f64 {
-        if self.once_in(8) {
-            return self.numbers.between(-2.0, 2.0);
-        }
-        self.numbers.below(9) as f64 / 2.0 - 2.0
-    }
-
-    fn point(&mut self) -> String {
-        let point = [(); 3].map(|()| self.number());
-        written(point)
-    }
-
-    /// In half of all cases along an axis.
-    fn direction(&mut self) -> String {
-        let is_along_axis = self.once_in(2);
-        let mut direction = [(); 3].map(|()| if is_along_axis { 0.0 } else { self.number() });
-        direction[self.numbers.below(3)] = self.one_of(&[1.0, -1.0]);
-        written(direction)
-    }
-
-    /// Black in one of four cases.
-    fn color(&mut self) -> String {
-        let is_black = self.once_in(4);
-        let channel = |i: usize| if is_black { 0.0 } else { i as f64 / 4.0 };
-        let color = [(); 3].map(|()| channel(self.numbers.below(5)));
-        written(color)
-    }
-
-    fn camera(&mut self) {
-        let away = self.one_of(&[3.0, 6.0]);
-        let mut eye = [(); 3].map(|()| self.number());
-        eye[self.numbers.below(3)] = self.one_of(&[away, -away]);
-        self.line("[camera]", "");
-        self.line("eye", written(eye));
-        if self.once_in(4) {
-            self.line("gaze", written(eye.map(|x| -x)));
-        } else {
-            let middle = self.point();
-            self.line("look_at", middle);
-        }
-        let (key, size) = self.one_of(&[("angle", 40.0), ("angle", 90.0), ("scale", 4.0)]);
-        self.line(key, format!("{size:?}"));
-        if self.once_in(2) {
-            let up = self.direction();
-            self.line("up", up);
-        }
-        self.line("[world]", "");
-        for key in ["background", "ambient"] {
-            let color = self.color();
-            self.line(key, color);
-        }
-    }
-
-    fn materials(&mut self) {
-        for (i, name) in MATERIALS.iter().enumerate() {
-            self.line(&format!("[material.{name}]"), "");
-            for key in &["diffuse", "specular", "reflection"][..=i] {
-                let color = self.color();
-                self.line(key, color);
-            }
-            let exponent = self.one_of(&["0e0", "1.0", "2.5", "64.0"]);
-            self.line("exponent", exponent);
-        }
-    }
-
-    fn lights(&mut self) {
-        for _ in 0..self.numbers.below(5) {
-            let kind = self.one_of(&["point", "spot", "directional"]);
-            self.line(&format!("[[{kind}_light]]"), "");
-            let (color, position, direction) = (self.color(), self.point(), self.direction());
-            self.line("color", color);
-            if kind != "directional" {
-                self.line("position", position);
-            }
-            if kind != "point" {
-                self.line("direction", direction);
-            }
-            if kind == "spot" {
-                self.line("half_angle", "45.0");
-            }
-            if self.once_in(4) {
-                self.line("shadows", "false");
-            }
-        }
-    }
-
-    /// Some shapes in the table of this prefix.
-    fn shapes(&mut self, prefix: &str, level: usize) {
-        for _ in 0..=self.numbers.below(6) {
-            let kinds = if level < 2 { 10 } else { 7 };
-            let kind = self.one_of(&SHAPES[..kinds]);
-            let is_recursive = kind == "use" && prefix.starts_with("define");
-            self.shape(prefix, if is_recursive { "mesh" } else { kind }, level);
-        }
-    }
-
-    fn shape(&mut self, prefix: &str, kind: &str, level: usize) {
-        self.line(&format!("[[{prefix}{kind}]]"), "");
-        let radius = format!("{:?}", self.one_of(&[0.25, 0.5, 1.0]));
-        let points = [(); 3].map(|()| self.point());
-        let directions = [(); 3].map(|()| self.direction());
-        let some = self.once_in(2);
-        let mut keys = match kind {
-            "sphere" => vec![("center", points[0].clone()), ("radius", radius)],
-            "plane" => vec![
-                ("point", points[0].clone()),
-                ("normal", directions[0].clone()),
-            ],
-            "box" => vec![("lbf", points[0].clone()), ("run", points[1].clone())],
-            "triangle" => vec![("corners", format!("[{}]", points.join(", ")))],
-            "disc" => vec![
-                ("center", points[0].clone()),
-                ("normal", directions[0].clone()),
-                ("radius", radius),
-            ],
-            "mesh" => vec![
-                ("file", "\"m\"".into()),
-                ("smooth", (!self.once_in(4)).to_string()),
-            ],
-            "repeat" => vec![("count", "3".into())],
-            "use" => vec![("name", "\"part\"".into())],
-            _ => vec![],
-        };
-        match kind {
-            "triangle" if some => keys.push(("normals", format!("[{}]", directions.join(", ")))),
-            "repeat" if some => keys.push(("rotate", "[0e0, 90.0, 0e0]".into())),
-            "repeat" => keys.push(("translate", points[0].clone())),
-            _ => {}
-        }
-        let surface = if self.once_in(5) {
-            ("color", self.color())
-        } else {
-            ("material", format!("\"{}\"", self.one_of(&MATERIALS)))
-        };
-        keys.push(surface);
-        for (key, value) in keys {
-            self.line(key, value);
-        }
-        self.transform(2);
-        if ["group", "repeat"].contains(&kind) {
-            self.shapes(&format!("{prefix}{kind}."), level + 1);
-        }
-    }
-
-    /// Up to three steps, in one of `cases`.
-    fn transform(&mut self, cases: usize) {
-        if !self.once_in(cases) {
-            return;
-        }
-        let steps: Vec<_> = (0..self.numbers.below(4)).map(|_| self.step()).collect();
-        self.line("transform", format!("[{}]", steps.join(", ")));
-    }
-
-    /// Mirrors, moves, turns by quarters, and leaves as they are.
-    fn step(&mut self) -> String {
-        let factors = [(); 3].map(|()| self.one_of(&[1.0, 1.0, -1.0, 0.5, -2.0]));
-        let (to, angle) = (self.point(), self.one_of(&["0e0", "90.0", "180.0", "30.0"]));
         match self.numbers.below(8) {
-            0 => format!("{{ translate = {to} }}"),
-            1 => format!("{{ rotate = [{angle}, 0e0, 90.0] }}"),
-            2 => {
-                let axis = self.one_of(&["x", "y", "z"]);
-                format!("{{ rotate_{axis} = {angle} }}")
+            0 => self.numbers.between(-2.0, 2.0),
+            _ => self.numbers.below(9) as f64 / 2.0 - 2.0,
+        }
+    }
+
+    /// Adds some shapes in the table of this prefix.
+    fn add_shapes(&mut self, prefix: &str, level: usize) {
+        for _ in 0..=self.numbers.below(6) {
+            let kinds = SHAPES.len() - if level < 2 { 0 } else { 4 };
+            let (mut kind, mut keys) = self.one_of(&SHAPES[..kinds]);
+            if kind == "use" && prefix.starts_with("define") {
+                (kind, keys) = SHAPES[0];
             }
-            3 => {
-                let [x, y, z] = factors;
-                let matrix = |[x, y, z]: [f64; 3], t: f64| {
-                    format!(
-                        "[[{x:?}, 0e0, 0e0, {t:?}], [0e0, {y:?}, 0e0, 0e0], [0e0, 0e0, {z:?}, 0e0]]"
-                    )
-                };
-                let (forth, back) = (
-                    matrix(factors, 1.0),
-                    matrix([1.0 / x, 1.0 / y, 1.0 / z], -1.0 / x),
-                );
-                if self.once_in(2) {
-                    format!("{{ matrix = {forth}, inverse = {back} }}")
-                } else {
-                    format!("{{ matrix = {forth} }}")
-                }
+            self.add(&format!("[[{prefix}{kind}]]\n{keys}"));
+            self.add_one_of(&SURFACES);
+            self.add_one_of(&["", "transform = [STEPS]\n"]);
+            if ["group", "repeat"].contains(&kind) {
+                self.add_shapes(&format!("{prefix}{kind}."), level + 1);
             }
-            _ => format!("{{ scale = {} }}", written(factors)),
         }
     }
 
@@ -277,7 +179,7 @@ impl Writer {
                 f64::from(i / 5) / 2.0 - 1.0,
                 0.0,
             ];
-            if self.once_in(5) {
+            if self.numbers.below(5) == 0 {
                 at[2] = self.number() / 4.0;
             }
             at.rotate_right(axis);
@@ -290,4 +192,15 @@ impl Writer {
         }
         obj
     }
+}
+
+fn written(numbers: [f64; 3]) -> String {
+    let [x, y, z] = numbers.map(|x| {
+        if x == 0.0 {
+            "0e0".into()
+        } else {
+            format!("{x:?}")
+        }
+    });
+    format!("[{x}, {y}, {z}]")
 }
