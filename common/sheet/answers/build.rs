@@ -62,14 +62,11 @@ fn main() -> Result<(), Problem> {
     Ok(())
 }
 
-/// The files of a folder, but for hidden ones, sorted by their names.
+/// The files of a folder, sorted by their names.
 fn files_in(folder: &Path) -> Result<Vec<PathBuf>, Problem> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {
-        let file = entry?.path();
-        if file.extension().is_some() {
-            files.push(file);
-        }
+        files.push(entry?.path());
     }
     files.sort();
     Ok(files)
