@@ -6,6 +6,9 @@ use crate::functions::{self, *};
 
 const RADIUS: f64 = 1.0;
 
+/// The colour at two coordinates on a surface.
+type Pattern = fn(f64, f64) -> Color;
+
 pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     match scene {
         "patterns-floor" => floor(0.0, samples),
@@ -140,14 +143,14 @@ fn ball(
 
 /// The picture of the book: stripes, board and picture on three balls, on a board, in the sun.
 fn still(samples: u32) -> Result<Image, Error> {
-    let striped: fn(f64, f64) -> Color = |_, latitude| {
+    let striped: Pattern = |_, latitude| {
         if stripes(latitude / TAU * 14.0) {
             Color::new(0.85, 0.8, 0.7)
         } else {
             Color::new(0.65, 0.08, 0.05)
         }
     };
-    let bodies: [(Point3, f64, fn(f64, f64) -> Color); 3] = [
+    let bodies: [(Point3, f64, Pattern); 3] = [
         (Point3::new(-2.3, 1.0, -0.6), 1.0, striped),
         (Point3::new(0.1, 1.3, -1.4), 1.3, chessboard_on_ball),
         (Point3::new(2.1, 0.8, 0.3), 0.8, picture_on_ball),
