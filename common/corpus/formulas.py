@@ -74,6 +74,7 @@ FORMULAS = {
     "angle": with_condition(angle),
     "angle by the cosine": with_condition(angle),
     "projected": with_condition(projected),
+    "radius of light": with_condition(lambda x: [mp.tan(x[0])]),
     "solved": with_condition(solved),
     "determinant": with_condition(lambda x: [dot(x[:3], cross(x[3:6], x[6:]))]),
     "u": with_condition(lambda x: unit(cross(unit(x[:3]), unit(x[3:])))),

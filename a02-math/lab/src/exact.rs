@@ -58,6 +58,41 @@ impl DoubleDouble {
         (computed - self.high) - self.low
     }
 
+    /// The first 22 digits, without zeros at the end, as a program prints a double.
+    #[must_use]
+    pub fn digits(self) -> String {
+        if self.high == 0.0 {
+            return "0".to_owned();
+        }
+        let exponent = libm::floor(libm::log10(self.high.abs())) as i32;
+        let mut scaled = self;
+        for _ in exponent..21 {
+            scaled = scaled * Self::from(10.0);
+        }
+        // A double of 22 digits is a whole number.
+        let whole = scaled.high.abs() as i128 + (scaled.low * scaled.high.signum()).round() as i128;
+        let digits = whole.to_string();
+        let point = exponent + digits.len() as i32 - 21;
+        let sign = if self.high < 0.0 { "-" } else { "" };
+        let (digits, length) = (digits.trim_end_matches('0'), digits.len() as i32);
+        let count = digits.len() as i32;
+        match point {
+            _ if point > length || point < -4 => {
+                let (first, rest) = digits.split_at(1);
+                let dot = if rest.is_empty() { "" } else { "." };
+                format!("{sign}{first}{dot}{rest}e{}", point - 1)
+            }
+            1.. if count <= point => {
+                format!("{sign}{digits}{}", "0".repeat((point - count) as usize))
+            }
+            1.. => {
+                let (whole, rest) = digits.split_at(point as usize);
+                format!("{sign}{whole}.{rest}")
+            }
+            _ => format!("{sign}0.{}{digits}", "0".repeat(-point as usize)),
+        }
+    }
+
     /// The power, by repeated squaring. The rounding errors add up to P units of the 31st digit:
     /// 19 digits are left for a P of 1e12.
     #[must_use]

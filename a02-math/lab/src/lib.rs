@@ -7,6 +7,8 @@ pub mod exact;
 mod experiments;
 mod extremes;
 pub mod protocol;
+pub mod sweep;
+pub mod sweeps;
 
 use measure::Laboratory;
 

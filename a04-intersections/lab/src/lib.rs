@@ -16,6 +16,7 @@ pub mod protocol;
 pub mod rows;
 pub mod subject;
 pub mod support;
+pub mod sweeps;
 
 use measure::Laboratory;
 

@@ -7,9 +7,10 @@ mod spots;
 
 use a02_math::arrays::vector;
 use measure::Effort;
-use measure::extremes::{Case, Row, rows};
+use measure::extremes::{Both, Case, Row, rows};
 
 use crate::protocol;
+use crate::sweeps::edge;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
     [
@@ -28,6 +29,10 @@ fn computed(row: &Row) -> Case {
         "angle by the cosine" => {
             let [a, b] = [0, 3].map(|index| vector(row.triple(index)));
             Case::of(a.angle(b), protocol::angle(a, b))
+        }
+        "radius of light" => {
+            let Both { ours, theirs } = edge(row.number(0));
+            Case::of(ours, theirs)
         }
         "highlight" => materials::power(row.number(0), row.number(1)),
         "lamp" => lights::under_a_lamp(row.number(0)),

@@ -6,6 +6,7 @@
 mod experiments;
 mod extremes;
 pub mod protocol;
+pub mod sweeps;
 
 use measure::Laboratory;
 

@@ -11,6 +11,7 @@ pub mod go_wrong;
 pub mod nested_nodes;
 pub mod protocol;
 mod side_by_side;
+pub mod sweeps;
 
 use measure::Laboratory;
 

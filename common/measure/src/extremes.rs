@@ -14,6 +14,7 @@ mod table;
 
 pub use both::{Both, count_wrong};
 pub use bound::Bound::{self, Absolute, Equal, Ulps};
+pub use bound::ulp;
 pub use case::Case;
 pub use case::Protocol::{self, Fails, Holds};
 pub use condition::Condition::{self, Known, Without};

@@ -16,9 +16,9 @@ use a07_transforms::{Mat4x4, Transform};
 type Step = Result<Transform, ArgumentError>;
 
 /// A transform by our formulas and by the protocol's.
-struct Chain {
-    ours: Transform,
-    theirs: Chained,
+pub struct Chain {
+    pub ours: Transform,
+    pub theirs: Chained,
 }
 
 impl Chain {
@@ -52,7 +52,7 @@ impl Chain {
 
     /// Two rotations, a scaling of one axis by `k`, and two more rotations: the
     /// condition number of the product is `k`.
-    fn stretched(k: f64) -> Result<Self, ArgumentError> {
+    pub fn stretched(k: f64) -> Result<Self, ArgumentError> {
         let turned = Self::START.then(|t| t.rotate_x(0.5)?.rotate_y(0.5))?;
         let stretched = turned.then(|t| t.scale(k, 1.0, 1.0))?;
         stretched.then(|t| t.rotate_y(0.5)?.rotate_z(0.5))

@@ -42,7 +42,8 @@ impl fmt::Display for Bound {
 }
 
 /// The distance between a number and the next greater one.
-fn ulp(number: f64) -> f64 {
+#[must_use]
+pub fn ulp(number: f64) -> f64 {
     number.abs().next_up() - number.abs()
 }
 

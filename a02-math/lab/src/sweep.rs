@@ -1,0 +1,141 @@
+//! `Sweep`: a problem with one number that a reader turns from harmless to extreme.
+
+use measure::extremes::{Both, ulp};
+
+use crate::exact::DoubleDouble;
+
+/// A problem that one number makes harder and harder.
+pub struct Sweep {
+    /// Its name.
+    pub name: &'static str,
+    /// The number, for a reader.
+    pub parameter: &'static str,
+    /// What is computed.
+    pub computes: &'static str,
+    /// What the picture shows.
+    pub shows: &'static str,
+    /// The cases of `extremes` that are points of it.
+    pub cases: &'static str,
+    /// The powers of ten of the number, from the first to the last, and the one that is harmless.
+    pub powers: [f64; 2],
+    pub harmless: f64,
+    /// From one power to the next.
+    pub step: f64,
+    /// The exercise that asks the same, if there is one.
+    pub exercise: Option<Exercise>,
+    /// The problem for a value of the number.
+    pub at: fn(f64) -> Point,
+    /// How bright both formulas paint a place of a picture for a value of the number, from -1 to 1 to the
+    /// right and upwards; `None` where they find nothing.
+    pub picture: fn(f64, [f64; 2]) -> Both<Option<f64>>,
+}
+
+/// An exercise whose first question takes the given numbers of a [`Point`].
+pub struct Exercise {
+    /// The stage.
+    pub stage: &'static str,
+    /// The name.
+    pub name: &'static str,
+    /// The name of the number in its answer.
+    pub part: &'static str,
+}
+
+/// The problem for one value of the number.
+pub struct Point {
+    /// The given numbers, in the order of the exercise's first question.
+    pub given: Vec<f64>,
+    /// By what number an answer of the exercise is multiplied.
+    pub factor: f64,
+    /// The exact answer.
+    pub exact: DoubleDouble,
+    /// The number in whose last place errors are counted; the exact one, but where that is 0.
+    pub size: f64,
+    /// The condition of the problem.
+    pub condition: f64,
+    /// The answers of both formulas.
+    pub found: Both<Option<f64>>,
+}
+
+impl Point {
+    /// The error of an answer, in units in the last place; infinite without an answer.
+    pub fn error(&self, found: Option<f64>) -> f64 {
+        let error = found.map_or(f64::NAN, |found| self.exact.error_of(found).abs());
+        if error.is_finite() {
+            error / ulp(self.size)
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+impl Sweep {
+    /// All powers of ten, from the first to the last.
+    pub fn powers(&self) -> impl Iterator<Item = f64> {
+        let [first, last] = self.powers;
+        let count = ((last - first).abs() / self.step).round() as u32;
+        let step = (last - first) / f64::from(count);
+        (0..=count).map(move |n| first + step * f64::from(n))
+    }
+
+    /// The problem at a power of ten.
+    pub fn point(&self, power: f64) -> Point {
+        (self.at)(ten_to(power))
+    }
+
+    /// The power, nearest to the harmless one, at which the protocol's formula has lost half of its digits.
+    pub fn breaks_at(&self) -> Option<f64> {
+        let is_broken = |power: &f64| {
+            let point = self.point(*power);
+            point.error(point.found.theirs) > HALF_OF_THE_DIGITS
+        };
+        let from_harmless = |power: &f64| (power - self.harmless).abs();
+        let broken = self.powers().filter(is_broken);
+        broken.min_by(|a, b| from_harmless(a).total_cmp(&from_harmless(b)))
+    }
+}
+
+/// An error of 25 of the 53 binary digits, in units in the last place: less than eight decimal ones are left.
+pub const HALF_OF_THE_DIGITS: f64 = 33_554_432.0;
+
+/// Ten to a power. A whole power is the double that is nearest to it.
+pub fn ten_to(power: f64) -> f64 {
+    if power.fract() == 0.0 {
+        format!("1e{power}").parse().unwrap_or(f64::NAN)
+    } else {
+        libm::pow(10.0, power)
+    }
+}
+
+/// The condition of an answer: by how many parts it changes, if each given number changes by one part.
+pub fn condition(given: &[f64], answer: impl Fn(&[DoubleDouble]) -> DoubleDouble) -> f64 {
+    const PART: f64 = 1e-20;
+    let given: Vec<_> = given.iter().map(|x| DoubleDouble::from(*x)).collect();
+    let before = answer(&given);
+    let mut condition = 0.0;
+    for (index, number) in given.iter().enumerate() {
+        let mut changed = given.clone();
+        changed[index] = *number + *number * PART.into();
+        let change = (answer(&changed) - before) / before;
+        condition += change.value().abs() / PART;
+    }
+    condition
+}
+
+/// The angle of a tangent, with about 30 digits: a step of Newton's method from a double.
+pub fn arc_tangent(tangent: DoubleDouble) -> DoubleDouble {
+    let near = DoubleDouble::from(libm::atan(tangent.value()));
+    let off = self::tangent(near) - tangent;
+    near - off / (DoubleDouble::from(1.0) + tangent * tangent)
+}
+
+/// The tangent of an angle up to a right one, with about 30 digits, by the series of sine and cosine.
+pub fn tangent(angle: DoubleDouble) -> DoubleDouble {
+    let (mut sums, mut term) = ([DoubleDouble::from(0.0); 2], DoubleDouble::from(1.0));
+    for n in 0..32_u32 {
+        let sum = &mut sums[n as usize % 2];
+        *sum = if n % 4 < 2 { *sum + term } else { *sum - term };
+        term = term * angle / f64::from(n + 1).into();
+    }
+    let [cosine, sine] = sums;
+    sine / cosine
+}

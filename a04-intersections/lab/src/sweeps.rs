@@ -1,0 +1,60 @@
+//! Problems of this stage from harmless to extreme.
+
+mod direction;
+mod far_ball;
+mod needle;
+mod tangent;
+
+pub use direction::DIRECTION;
+pub use far_ball::FAR_BALL;
+pub use needle::NEEDLE;
+pub use tangent::TANGENT;
+
+use a02_lab::exact::DoubleDouble;
+use a02_lab::sweep::Exercise;
+use a03_rays_cameras::Ray;
+use measure::extremes::Both;
+
+use crate::formula::sphere::{Shot, terms};
+use crate::line::Line;
+use crate::number::{Triple, difference};
+use crate::subject::Subject;
+
+/// The exercise of a shape.
+const fn exercise(name: &'static str) -> Exercise {
+    let (stage, part) = ("a04-intersections", "t");
+    Exercise { stage, name, part }
+}
+
+/// A shape and a line, in the order of the exercises' questions: the interval is last.
+fn given(shape: &[f64], line: &Line) -> Vec<f64> {
+    let ahead = [0.0, f64::INFINITY];
+    [shape, &line.origin, &line.direction, &ahead].concat()
+}
+
+/// The `t` of the first hit of a ray, by the lesson and by the protocol.
+fn both(subject: &Subject, shape: &[f64], ray: &Ray) -> Both<Option<f64>> {
+    Both {
+        ours: subject.lesson(shape, ray),
+        theirs: (subject.protocol)(shape, ray),
+    }
+}
+
+/// The sphere around the origin.
+const UNIT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+
+/// A line towards it.
+const fn towards_unit(line: Line) -> Shot {
+    Shot {
+        center: [0.0; 3],
+        radius: 1.0,
+        line,
+    }
+}
+
+/// The near root of a sphere's centre and radius, and a line's origin and direction.
+fn near_root(x: &[DoubleDouble]) -> DoubleDouble {
+    let triple = |at: usize| -> Triple<DoubleDouble> { [x[at], x[at + 1], x[at + 2]] };
+    let from_center = difference(&triple(4), &triple(0));
+    terms(&from_center, x[3], &triple(7)).plain_roots()[0]
+}

@@ -1,0 +1,50 @@
+//! A direction that is not of length 1.
+
+use a02_lab::sweep::{Point, Sweep, condition};
+use measure::extremes::Both;
+
+use super::{UNIT, exercise, given, near_root};
+use crate::line::line;
+use crate::subject::SPHERE;
+
+/// The hit of a ray in this direction down to the unit sphere, as a distance: the protocol's `t` counts lengths
+/// of the direction.
+fn distances(x: f64, y: f64, length: f64) -> Both<Option<f64>> {
+    let down = line([x, y, 3.0], [0.0, 0.0, -length]);
+    Both {
+        ours: down
+            .unit_ray()
+            .ok()
+            .and_then(|ray| SPHERE.lesson(&UNIT, &ray)),
+        theirs: (SPHERE.protocol)(&UNIT, &down.raw_ray()).map(|t| t * length),
+    }
+}
+
+/// The length of a direction.
+pub const DIRECTION: Sweep = Sweep {
+    name: "direction",
+    parameter: "length of a ray's direction",
+    computes: "the distance to a ball of radius 1, two before the ray's origin",
+    shows: "The ball by parallel rays with directions of this length.",
+    cases: "A23, A27, A30",
+    powers: [-200.0, 200.0],
+    harmless: 0.0,
+    step: 1.0,
+    exercise: Some(exercise("sphere")),
+    at: |length| Point {
+        given: given(&UNIT, &line([0.0, 0.0, 3.0], [0.0, 0.0, -length])),
+        factor: length,
+        exact: 2.0.into(),
+        size: 2.0,
+        // The distance does not depend on the length; the condition is that of the direction (0, 0, -1).
+        condition: condition(
+            &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 3.0, 0.0, 0.0, -1.0],
+            near_root,
+        ),
+        found: distances(0.0, 0.0, length),
+    },
+    picture: |length, [x, y]| {
+        let bulge = |distance: f64| 0.25 + 0.75 * (3.0 - distance).clamp(0.0, 1.0);
+        distances(1.4 * x, 1.4 * y, length).map(|found| found.map(bulge))
+    },
+};

@@ -1,0 +1,41 @@
+//! A ball of radius 1 that goes away.
+
+use a02_lab::sweep::{Point, Sweep, condition};
+
+use super::{UNIT, both, exercise, given, near_root, towards_unit};
+use crate::exact;
+use crate::line::line;
+use crate::subject::SPHERE;
+
+/// The distance of a ball.
+pub const FAR_BALL: Sweep = Sweep {
+    name: "distance",
+    parameter: "distance of a ball of radius 1",
+    computes: "the t at which a ray half a radius beside its middle hits it",
+    shows: "The ball by parallel rays from there: the farther its surface bulges, the brighter it is.",
+    cases: "A45, A46, A47",
+    powers: [0.5, 16.0],
+    harmless: 0.5,
+    step: 0.25,
+    exercise: Some(exercise("sphere")),
+    at: |distance| {
+        let from = line([0.5, 0.0, distance], [0.0, 0.0, -1.0]);
+        let given = given(&UNIT, &from);
+        let [near, _] = exact::sphere(&towards_unit(from))
+            .roots
+            .unwrap_or([f64::NAN.into(); 2]);
+        Point {
+            exact: near,
+            size: near.value(),
+            condition: condition(&given[..10], near_root),
+            found: both(&SPHERE, &UNIT, &from.raw_ray()),
+            given,
+            factor: 1.0,
+        }
+    },
+    picture: |distance, [x, y]| {
+        let from = line([1.4 * x, 1.4 * y, distance], [0.0, 0.0, -1.0]);
+        let bulge = |t: f64| 0.25 + 0.75 * (distance - t).clamp(0.0, 1.0);
+        both(&SPHERE, &UNIT, &from.raw_ray()).map(|found| found.map(bulge))
+    },
+};

@@ -1,0 +1,46 @@
+//! A ray that comes nearer and nearer to a sphere's tangent.
+
+use a02_lab::sweep::{Point, Sweep, condition};
+
+use super::{UNIT, both, exercise, given, near_root, towards_unit};
+use crate::exact;
+use crate::line::line;
+use crate::subject::SPHERE;
+
+/// How far below the tangent of a ball a ray passes.
+pub const TANGENT: Sweep = Sweep {
+    name: "tangent",
+    parameter: "distance of a ray below the tangent of a ball of radius 1",
+    computes: "the t at which the ray from 5 before its middle hits it",
+    shows: "The highest point of the ball, enlarged until this distance is a quarter of the picture's height.",
+    cases: "A21, A43, A44",
+    powers: [0.0, -16.0],
+    harmless: 0.0,
+    step: 0.25,
+    exercise: Some(exercise("sphere")),
+    at: |below| {
+        let past = line([-5.0, 1.0 - below, 0.0], [1.0, 0.0, 0.0]);
+        let given = given(&UNIT, &past);
+        let [near, _] = exact::sphere(&towards_unit(past))
+            .roots
+            .unwrap_or([f64::NAN.into(); 2]);
+        Point {
+            exact: near,
+            size: near.value(),
+            condition: condition(&given[..10], near_root),
+            found: both(&SPHERE, &UNIT, &past.raw_ray()),
+            given,
+            factor: 1.0,
+        }
+    },
+    picture: |below, [x, y]| {
+        let height = 1.0 + below * (2.0 * y - 1.0);
+        let past = line(
+            [-5.0, height, x * (2.0 * below).sqrt() * 1.2],
+            [1.0, 0.0, 0.0],
+        );
+        let deepest = (6.0 * below).sqrt();
+        let depth = |t: f64| 0.3 + 0.7 * ((5.0 - t) / deepest).clamp(0.0, 1.0);
+        both(&SPHERE, &UNIT, &past.raw_ray()).map(|found| found.map(depth))
+    },
+};
