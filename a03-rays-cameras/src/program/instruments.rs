@@ -18,8 +18,8 @@ mod seen_rays;
 pub enum Instruments {
     /// They report all steps of a renderer that leaves out this work.
     Report(Omissions),
-    /// They report nothing, and do all work that a renderer may leave out.
-    AllWork,
+    /// They report nothing, and leave out only this work, for a measurement of time.
+    Silent(Omissions),
 }
 
 impl Instruments {
@@ -28,23 +28,21 @@ impl Instruments {
 
     /// For a picture with these settings; none for the renderer as it is.
     pub(crate) fn of_settings(settings: &Settings) -> Option<Self> {
-        let does_all_work = settings.renderer == Renderer::AllWork;
+        let omissions = match settings.renderer {
+            Renderer::AllWork => Some(Omissions::NONE),
+            _ => settings.omissions,
+        };
         if steps::is_counting() {
-            Some(Self::Report(if does_all_work {
-                Omissions::NONE
-            } else {
-                settings.omissions.unwrap_or(Omissions::ALL)
-            }))
+            Some(Self::Report(omissions.unwrap_or(Omissions::ALL)))
         } else {
-            does_all_work.then_some(Self::AllWork)
+            omissions.map(Self::Silent)
         }
     }
 
     /// The work that is left out.
     pub const fn omissions(self) -> Omissions {
         match self {
-            Self::Report(omissions) => omissions,
-            Self::AllWork => Omissions::NONE,
+            Self::Report(omissions) | Self::Silent(omissions) => omissions,
         }
     }
 }

@@ -7,13 +7,11 @@
 
 mod black_picture;
 mod by_numbers;
-mod comparison;
 mod explain_pixel;
 mod explained_pixel;
 mod gallery;
 mod grammar;
 mod laboratory;
-mod left_out;
 mod live_picture;
 mod named;
 mod opened_file;
@@ -30,10 +28,8 @@ mod viewer;
 mod watch;
 mod work;
 
-pub use comparison::Comparison;
 pub use explained_pixel::ExplainedPixel;
 pub use gallery::Gallery;
-pub use left_out::{LeftOut, Words};
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
 pub use print::print;

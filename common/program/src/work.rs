@@ -3,17 +3,13 @@
 
 use std::time::{Duration, Instant};
 
-use common::{Error, Median, Scene, Settings, Size};
+use common::comparison::{Comparison, complete, small};
+use common::left_out::{LeftOut, Words};
+use common::{Error, Median, Scene, Settings};
 
-use crate::comparison::{Comparison, complete};
-use crate::left_out::{LeftOut, Words};
 use crate::options::Options;
 use crate::print::print;
 use crate::processor_time::processor_time;
-
-/// Work is counted in a picture of at most this width: each count needs another rendering, and the
-/// renderer that leaves out nothing may take long.
-const WIDTH: u32 = 96;
 
 /// The most rounds of renderings, and the time that ends them.
 const MOST_ROUNDS: usize = 25;
@@ -43,13 +39,6 @@ pub fn explain(scene: &Scene, settings: &Settings, options: &Options) -> Result<
             comparison.difference
         ))
     })
-}
-
-/// A size of the same shape, up to the rounding to whole pixels.
-fn small(whole: Size) -> Result<Size, Error> {
-    let width = whole.width().min(WIDTH);
-    let height = f64::from(whole.height()) * f64::from(width) / f64::from(whole.width());
-    Ok(Size::new(width, (height.round() as u32).max(1))?)
 }
 
 fn print_left_out(rows: &[LeftOut]) -> Result<(), Error> {
@@ -110,14 +99,6 @@ impl Times {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn work_is_counted_in_a_small_picture_of_the_same_shape() {
-        let small = |width, height| small(Size::new(width, height).unwrap()).unwrap();
-        assert_eq!(small(640, 480).to_string(), "96x72");
-        assert_eq!(small(8, 6).to_string(), "8x6");
-        assert_eq!(small(1000, 1).to_string(), "96x1");
-    }
 
     #[test]
     fn times_are_compared_unless_they_differ_by_noise() {

@@ -34,7 +34,7 @@ impl RecordedWorld {
     pub fn new(world: ShadowedWorld, shapes: Shapes, instruments: Instruments) -> Self {
         let omissions = instruments.omissions();
         let surface = |surface| RecordedSurface::on(surface, omissions);
-        if instruments == Instruments::AllWork {
+        if let Instruments::Silent(_) = instruments {
             return Self {
                 world: materials::map_surfaces(world, surface),
                 instruments,

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use common::comparison::Comparison;
+use common::left_out::Words;
 use common::{Omission, Stage};
-use program::{Comparison, Words};
 
 use super::TestPaths;
 use super::invariance::small;

@@ -3,8 +3,8 @@
 
 use std::fmt::{self, Write};
 
-use common::steps::{Counts, StepKind, counted};
-use common::{Error, Renderer, Scene, Settings, difference};
+use crate::steps::{Counts, StepKind, counted};
+use crate::{Error, Renderer, Scene, Settings, Size, difference};
 
 /// A kind of work that a renderer may leave out.
 pub struct Work {
@@ -71,6 +71,7 @@ impl Comparison {
 }
 
 /// The settings with the renderer that leaves out nothing.
+#[must_use]
 pub fn complete(settings: &Settings) -> Settings {
     Settings {
         renderer: Renderer::AllWork,
@@ -89,5 +90,29 @@ impl fmt::Display for Comparison {
             }
         }
         Ok(())
+    }
+}
+
+/// Work is counted in a picture of at most this width: each count needs another rendering, and the
+/// renderer that leaves out nothing may take long.
+const WIDTH: u32 = 96;
+
+/// The size of a picture in which work is counted, of the same shape up to the rounding to whole pixels.
+pub fn small(whole: Size) -> Result<Size, Error> {
+    let width = whole.width().min(WIDTH);
+    let height = f64::from(whole.height()) * f64::from(width) / f64::from(whole.width());
+    Ok(Size::new(width, (height.round() as u32).max(1))?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_is_counted_in_a_small_picture_of_the_same_shape() {
+        let small = |width, height| small(Size::new(width, height).unwrap()).unwrap();
+        assert_eq!(small(640, 480).to_string(), "96x72");
+        assert_eq!(small(8, 6).to_string(), "8x6");
+        assert_eq!(small(1000, 1).to_string(), "96x1");
     }
 }

@@ -3,10 +3,9 @@
 //! The reasons are put back one after the other, and each is compared with those before it. So the
 //! rows add up to the work of the renderer that leaves out nothing.
 
-use common::steps::{Counts, counted};
-use common::{Error, Omission, Omissions, Renderer, Scene, Settings};
-
 use crate::comparison::WORK;
+use crate::steps::{Counts, counted};
+use crate::{Error, Image, Omission, Omissions, Renderer, Scene, Settings};
 
 /// The words for a kind of work that is left out.
 pub struct Words {
@@ -81,13 +80,13 @@ impl LeftOut {
     pub fn all(scene: &Scene, settings: &Settings) -> Result<Vec<Self>, Error> {
         let mut rows = Vec::new();
         let mut omissions = Omissions::ALL;
-        let mut before = count(scene, settings, omissions)?;
+        let (_, mut before) = count(scene, settings, omissions)?;
         for omission in Omission::ALL {
             if !is_left_out(omission, settings) {
                 continue;
             }
             omissions = omissions.without(omission);
-            let counts = count(scene, settings, omissions)?;
+            let (_, counts) = count(scene, settings, omissions)?;
             let steps = counts.without(&before);
             if WORK.iter().any(|work| steps[work.kind] > 0) {
                 rows.push(Self { omission, steps });
@@ -111,7 +110,8 @@ impl LeftOut {
 }
 
 /// Whether the renderer of the settings can leave this work out.
-fn is_left_out(omission: Omission, settings: &Settings) -> bool {
+#[must_use]
+pub fn is_left_out(omission: Omission, settings: &Settings) -> bool {
     let is_engine = settings.renderer == Renderer::Engine;
     match omission {
         Omission::IdentityTransforms | Omission::DistantObjects => is_engine,
@@ -120,13 +120,16 @@ fn is_left_out(omission: Omission, settings: &Settings) -> bool {
     }
 }
 
-/// The steps of a rendering that leaves out this work.
-fn count(scene: &Scene, settings: &Settings, omissions: Omissions) -> Result<Counts, Error> {
+/// The picture and the steps of a rendering that leaves out this work.
+pub fn count(
+    scene: &Scene,
+    settings: &Settings,
+    omissions: Omissions,
+) -> Result<(Image, Counts), Error> {
     let settings = Settings {
         omissions: Some(omissions),
         ..settings.clone()
     };
     let (image, counts) = counted(|| scene.render(&settings, &()))?;
-    image?;
-    Ok(counts)
+    Ok((image?, counts))
 }
