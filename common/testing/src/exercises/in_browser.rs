@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::process::ExitCode;
+use std::rc::Rc;
 
 use common::{Error, Image};
 use page::{Answer, pixels, settings};
@@ -13,9 +14,20 @@ use super::folder::StageFolder;
 /// the exercise's.
 type Paint = Box<dyn Fn(&str, &[f64]) -> Result<Option<Image>, Error>>;
 
+/// The numbers of this name in the answers to the first question of an exercise, with each of these inputs instead of
+/// its own.
+type Ask = Box<dyn Fn(&str, &mut dyn Iterator<Item = &[f64]>) -> Vec<f64>>;
+
+/// An exercise with the student's code in it.
+struct Yours {
+    name: &'static str,
+    paint: Paint,
+    ask: Ask,
+}
+
 thread_local! {
-    /// The exercises of the module, with the students' code in them.
-    static YOURS: RefCell<Vec<(&'static str, Paint)>> = RefCell::default();
+    /// The exercises of the module.
+    static YOURS: RefCell<Vec<Yours>> = RefCell::default();
 }
 
 /// Keeps the code of an exercise for the page.
@@ -27,7 +39,18 @@ pub fn judge<C: 'static>(
     yours: C,
     _: fn(),
 ) -> ExitCode {
-    let (folder, picture) = (*folder, exercise.picture);
+    let (folder, picture, questions) = (*folder, exercise.picture, exercise.questions);
+    let yours = Rc::new(yours);
+    let asked = Rc::clone(&yours);
+    let ask = move |part: &str, inputs: &mut dyn Iterator<Item = &[f64]>| {
+        let Some(question) = questions.first() else {
+            return Vec::new();
+        };
+        let answers = inputs.map(|input| (question.answer)(&asked, input));
+        answers
+            .map(|answer| answer.number(part).unwrap_or(f64::NAN))
+            .collect()
+    };
     let paint = move |wanted: &str, numbers: &[f64]| match &picture {
         Picture::Scene(scene, render) => {
             let stage = folder.stage();
@@ -42,18 +65,25 @@ pub fn judge<C: 'static>(
         }
         _ => Ok(None),
     };
-    YOURS.with_borrow_mut(|yours| yours.push((name, Box::new(paint))));
+    let (paint, ask): (Paint, Ask) = (Box::new(paint), Box::new(ask));
+    YOURS.with_borrow_mut(|all| all.push(Yours { name, paint, ask }));
     ExitCode::SUCCESS
 }
+
 /// Answers `EXERCISE PICTURE`, with the settings as numbers: the picture by the student's code, or
-/// nothing if the exercise does not draw it.
+/// nothing if the exercise does not draw it. `EXERCISE answers NAME` takes the length of an input and inputs, and gives
+/// the numbers of this name in the code's answers.
 fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
     let (exercise, picture) = request.split_once(' ').unwrap_or_default();
-    YOURS.with_borrow(|yours| {
-        let Some((_, paint)) = yours.iter().find(|(name, _)| *name == exercise) else {
+    YOURS.with_borrow(|all| {
+        let Some(yours) = all.iter().find(|yours| yours.name == exercise) else {
             return Ok(Answer::default());
         };
-        let painted = paint(picture, numbers).map_err(|error| error.to_string())?;
+        if let (Some(part), [length, inputs @ ..]) = (picture.strip_prefix("answers "), numbers) {
+            let mut inputs = inputs.chunks((*length as usize).max(1));
+            return Ok(Answer::default().with("answers", (yours.ask)(part, &mut inputs)));
+        }
+        let painted = (yours.paint)(picture, numbers).map_err(|error| error.to_string())?;
         Ok(painted.as_ref().map(pixels).unwrap_or_default())
     })
 }
