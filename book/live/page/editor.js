@@ -20,6 +20,8 @@ live.Editor = class {
         const [pre, paragraph] = [listing.closest('pre'), image.closest('p')];
         const left = live.element('div', {}, written, this.said, controls, pre.nextElementSibling);
         const right = live.element('div', {}, paragraph, live.caption(image));
+        this.omitted = live.element('a', {}, 'what does it leave out?');
+        controls.append(' ', this.omitted);
         pre.replaceWith(live.element('div', { className: 'live-editor' }, left, right));
         // A click on a pixel, or Enter in the picture, asks for its numbers.
         this.picture.tapped = (...pixel) => this.influences.open(...pixel);
@@ -66,6 +68,7 @@ live.Editor = class {
         this.drawn = value;
         history.replaceState(null, '', `#scene=${encodeURIComponent(value)}`);
         this.measured.href = `error-and-run-time.html${location.hash}`;
+        this.omitted.href = `left-out.html${location.hash}`;
         await picture.begin();
         if (picture.begun) {
             const { yaw, pitch, zoom } = picture.settings;

@@ -168,6 +168,9 @@ live.caption = (image) => {
     return caption?.matches('p') ? caption : paragraph;
 };
 
+// A figure takes the place of a still picture, which paper keeps.
+live.stillOf = (image) => image.closest('p').classList.add('live-still');
+
 // The book turns pages with the arrow keys; in a slider, a list or a text they belong to it. Escape
 // closes what it is in.
 addEventListener(

@@ -11,6 +11,7 @@ live.Pair = class {
         const row = live.element('label', {}, 'wrong ', this.slider, ' right');
         after.after(live.element('figure', { className: 'live-pair' }, this.canvas, row));
         image.decode().then(() => this.draw(), () => {});
+        live.stillOf(image);
     }
 
     draw() {

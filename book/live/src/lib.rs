@@ -8,9 +8,11 @@ mod catalogue;
 mod extremes;
 mod figures;
 mod file;
+mod left_out;
 mod measuring;
 mod picture;
 mod sensitivity;
+mod sweeps;
 
 use common::Error;
 
@@ -20,7 +22,8 @@ pub use page::Answer;
 type Answered = Result<Answer, Error>;
 
 /// Answers a request of a page: `render`, `about`, `export`, `trace` or `drawing` and a picture, with the
-/// settings and a pixel as numbers, `measure` and a request to the measurement of error against run time, `extremes STAGE`, `pictures`, or the name of a figure
+/// settings and a pixel as numbers, `measure` and a request to the measurement of error against run time, `extremes STAGE`,
+/// `sweeps`, `sweep NAME` with a power of ten, `work`, `done` or `timed` and a picture, `pictures`, or the name of a figure
 /// with its numbers. The text of a scene file is a picture, too, behind a line `file`; `numbers`,
 /// `influences` and `changes` take no other picture. An error is a sentence for the reader.
 pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
@@ -35,6 +38,14 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         Some(("about", name)) => picture::about(name),
         Some(("measure", request)) => measuring::answer(request, numbers),
         Some(("extremes", stage)) => extremes::extremes(stage),
+        Some(("sweep", name)) => sweeps::sweep(name, numbers),
+        Some(("sweep-questions", name)) => sweeps::questions(name),
+        Some(("sweep-errors", name)) => sweeps::errors(name, numbers),
+        Some(("work", name)) => left_out::work(name, numbers),
+        Some(("done", name)) => left_out::done(name, numbers),
+        Some(("timed", name)) => left_out::timed(name, numbers),
+        None if request == "quotient" => Ok(left_out::quotient(numbers)),
+        None if request == "sweeps" => Ok(sweeps::all()),
         None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),
         _ => figures::answer(request, numbers),
     };

@@ -13,6 +13,7 @@ import { promisify } from 'node:util';
 import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { Chromium } from './chromium.mjs';
 import { tryMeasure } from './measure.mjs';
+import { tryExtremes, tryLeftOut, tryOwnCurve } from './wishes.mjs';
 
 const [program, answers, screenshots] = process.argv.slice(2);
 const top = new URL('../../../', import.meta.url);
@@ -282,19 +283,27 @@ async function tryWidths(page, width) {
 
 // The tools of single pages: extreme cases, and error against run time.
 async function tryTools() {
+    const programs = new URL('..', pathToFileURL(resolve(answers))).pathname;
+    const tools = { chromium, expect, run, programs, shot };
+    await open('left-out.html');
+    await tryLeftOut(tools);
     await open('extreme-cases.html');
-    for (const stage of await chromium.value(`[...live.extremes.stage.options].map((option) => option.value)`)) {
+    await tryExtremes(tools);
+    await tryOwnCurve(tools);
+    const cases = 'live.extremes.cases';
+    for (const stage of await chromium.value(`[...${cases}.stage.options].map((option) => option.value)`)) {
         const status = await chromium.value(`(async () => {
-            live.extremes.stage.value = '${stage}';
-            await live.extremes.run();
-            return live.extremes.status.value;
+            ${cases}.stage.value = '${stage}';
+            await ${cases}.run();
+            return ${cases}.status.value;
         })()`);
-        const [, held, cases] = /^(\d+) of (\d+) cases hold/.exec(status) ?? [];
-        expect(cases > 10 && held === cases, `extreme cases of ${stage}: ${status}`);
+        const [, held, count] = /^(\d+) of (\d+) cases hold/.exec(status) ?? [];
+        expect(count > 10 && held === count, `extreme cases of ${stage}: ${status}`);
         console.log(`${stage}: ${status}`);
     }
-    await chromium.value(`live.extremes.stage.value = 'a04-intersections'; live.extremes.run().then(() => 0)`);
-    await shot('extremes', 'live.extremes.rows.closest("figure")');
+    await chromium.value(`(${cases}.stage.value = 'a04-intersections', ${cases}.filter.value = 'A46', ${cases}.run())`);
+    const found = await chromium.value(`${cases}.rows.textContent`);
+    expect(/^A46 {2}ok/.test(found) && found.split('\n').length === 4, `the case A46 is found as ${found}`);
     const stage = new URL('../a03-rays-cameras', pathToFileURL(resolve(answers))).pathname;
     await tryMeasure({ chromium, expect, open, shot, run, stage });
 }

@@ -1,0 +1,110 @@
+// The figures of extreme cases and of what is left out, in the browser, against the programs.
+import { tmpdir } from 'node:os';
+
+// Cases of `extremes` that are points of a problem, with their powers of ten.
+const CASES = {
+    distance: { stage: 'a04', A45: 4, A46: 8, A47: 12 },
+    tangent: { stage: 'a04', A43: -4, A44: -8, A21: -16 },
+    needle: { stage: 'a04', D30: 2, D31: 5, D08: 8 },
+    angle: { stage: 'a02', F40: -4, F03: -8, F04: -12 },
+    matrix: { stage: 'a07', G33: 4, G05: 8, G06: 12 },
+    spot: { stage: 'a05', F41: -1, F42: -4, F43: -6 },
+    direction: { stage: 'a04', A23: -200, A27: 4, A30: 200 },
+};
+
+// What a program prints; `programs` is the folder that has it.
+export const printed = async (run, programs, program, args) => (await run(`${programs}/${program}`, args, { cwd: tmpdir() })).stdout;
+
+// Each problem: asked first, turned by the keyboard, and at three powers with the numbers of the program.
+export async function tryExtremes({ chromium, expect, run, programs, shot }) {
+    const figure = 'live.extremes';
+    await chromium.middle(`${figure}.root`);
+    await chromium.until(`${figure}.root.dataset.drawn !== undefined`);
+    const names = await chromium.value(`${figure}.problems.map(({ name }) => name)`);
+    expect(`${names}` === `${Object.keys(CASES)}`, `the problems are ${names}`);
+    for (const [index, [name, { stage, ...cases }]] of Object.entries(CASES).entries()) {
+        await chromium.value(`(${figure}.problem.value = ${index}, ${figure}.choose())`);
+        const curves = () => chromium.value(`${figure}.drawn.querySelectorAll('path.b').length`);
+        expect((await curves()) === 0, `${name}: the answer is there before the guess`);
+        const place = () => chromium.value(`${figure}.knob.value`);
+        const before = await place();
+        await chromium.value(`${figure}.knob.focus()`);
+        await chromium.arrow('ArrowLeft', 37);
+        await chromium.arrow('ArrowRight', 39);
+        await chromium.arrow('ArrowRight', 39);
+        expect((await place()) !== before, `${name}: the knob does not answer the keyboard`);
+        await chromium.click(`${figure}.question.querySelector('button')`);
+        await chromium.until(`!('asked' in ${figure}.root.dataset)`);
+        expect((await curves()) === 1, `${name}: no curve after the guess`);
+        expect(/^(Yes, nearly: at|At) 10 to the|^It never does/.test(await chromium.value(`${figure}.question.querySelector('output').value`)), `${name}: no verdict`);
+        const rows = await printed(run, programs, `${stage}-lab`, ['extremes', ...Object.keys(cases)]);
+        for (const [id, power] of Object.entries(cases)) {
+            const row = rows.slice(rows.indexOf(`${id}  `)).split('\n').slice(1, 4);
+            const [exact, theirs, ours] = row.map((line) => line.slice(15).split('   ')[0]);
+            const shown = await chromium.value(`${figure}.turn(${figure}.errors.powers.indexOf(${power}))
+                .then(() => [...${figure}.digits.querySelectorAll('code')].map((code) => code.textContent))`);
+            expect(Number(shown[0]) === Number(exact) && shown[1] === theirs && shown[2] === ours, `${name}, ${id}: shows ${shown}, the program prints ${exact}, ${theirs}, ${ours}`);
+        }
+        await shot(`extremes-${name}`, `${figure}.root`);
+    }
+    const at = await chromium.value(`${figure}.knob.value`);
+    await chromium.drag(`${figure}.handle`, -60, 0);
+    expect((await chromium.value(`${figure}.knob.value`)) !== at, 'the knob does not answer a drag');
+}
+
+// The reader's own formula as a third curve: the module of the exercises answers with what the protocol finds.
+export async function tryOwnCurve({ chromium, expect }) {
+    const errors = await chromium.value(`(async () => {
+        const { start, yours } = live;
+        live.yours = { 'a02-math': ['angle'] };
+        live.start = async () => Object.assign(async ({ request, numbers: [count, ...given] }) =>
+            (live.asked = request, { answers: given.filter((_, index) => index % count === 4).map(() => 0) }), { stop: () => {} });
+        live.extremes.problem.value = 3;
+        await live.extremes.choose();
+        Object.assign(live, { start, yours });
+        return [live.asked, live.extremes.drawn.textContent.includes('yours'), [...live.extremes.errors.yours].every((error) => error > 1e15)];
+    })()`);
+    expect(errors[0] === 'angle answers ' && errors[1] && errors[2], `the own formula is shown as ${errors}`);
+}
+
+// Each scene: guessed first; with all switches on, with all off, and with the first that saves anything off.
+export async function tryLeftOut({ chromium, expect, run, programs, shot }) {
+    const figure = 'live.leftOut';
+    await chromium.middle(`${figure}.root`);
+    await chromium.until(`${figure}.root.dataset.drawn !== undefined`);
+    const scenes = await chromium.value(`[...${figure}.scene.options].map(({ value }) => value)`);
+    for (const engine of [false, true]) {
+        for (const scene of scenes) {
+            const [, program, name] = /^(a0\d-[a-z]+(?:-[a-z]+)?)-((?:box-)?[a-z]+)$/.exec(scene);
+            const text = await printed(run, programs, program, ['render', name, '--explain', ...(engine ? ['--fast'] : [])]);
+            const table = Object.fromEntries([...text.matchAll(/^ {2}([a-z]+ [a-z]+|powers) +(\d+) +(\d+)$/gm)].map(([, kind, all, done]) => [kind, { all: Number(all), done: Number(done) }]));
+            const [, words, saved] = /left out:\n {4}([^:]+): (.+)/.exec(text) ?? [];
+            await chromium.value(`(${figure}.scene.value = '${scene}', ${figure}.engine.checked = ${engine}, ${figure}.open())`);
+            await chromium.click(`${figure}.question.querySelector('button')`);
+            expect(/saves|needs all/i.test(await chromium.value(`${figure}.question.querySelector('output').value`)), `${scene}: no verdict`);
+            const counts = (off) => chromium.value(`(async () => {
+                ${figure}.omissions.forEach(({ box, words }) => (box.checked = !(${JSON.stringify(off)} === 'all' || words === ${JSON.stringify(off)})));
+                await ${figure}.update();
+                return [Object.fromEntries(${figure}.kinds.map((kind, index) => [kind, ${figure}.latest[index]])), ${figure}.bytes.value];
+            })()`);
+            const add = Object.fromEntries((saved ?? '').split(', ').filter(Boolean).map((count) => [count.replace(/^\d+ /, ''), parseInt(count)]));
+            for (const [off, expected] of [['', (kind) => table[kind].done], ['all', (kind) => table[kind].all], [words, (kind) => table[kind].done + (add[kind] ?? 0)]]) {
+                const [shown, bytes] = await counts(off ?? '');
+                for (const kind of Object.keys(table)) {
+                    expect(shown[kind] === expected(kind), `${scene}${engine ? ' by the engine' : ''}, off: ${off}: ${shown[kind]} ${kind}, the program has ${expected(kind)}`);
+                }
+                expect(/^All \d+ bytes are the same/.test(bytes), `${scene}, off: ${off}: ${bytes}`);
+            }
+            await shot(`left-out-${name}`, `${figure}.root`);
+        }
+    }
+    // Timed, stopped, and timed again, by the keyboard.
+    await chromium.value(`(live.LeftOut.rounds = 200, ${figure}.measure.focus())`);
+    await chromium.value(`${figure}.measure.click()`);
+    await chromium.until(`/^Round/.test(${figure}.time.value)`);
+    await chromium.value(`${figure}.end.click()`);
+    await chromium.until(`${figure}.time.value === 'stopped' && !${figure}.measure.disabled`);
+    await chromium.value(`(live.LeftOut.rounds = 6, ${figure}.measure.click())`);
+    await chromium.until(`/^Beside the picture/.test(${figure}.time.value)`);
+    console.log(await chromium.value(`${figure}.time.value`));
+}
