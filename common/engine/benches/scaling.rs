@@ -2,7 +2,7 @@
 //!
 //! ```console
 //! $ cargo bench -p engine --bench scaling             a table
-//! $ cargo bench -p engine --bench scaling -- --book   and the plot of the book
+//! $ cargo bench -p engine --bench scaling -- --book   and the plot of the README
 //! ```
 //!
 //! From ten spheres in a cube to a million, which fill a ninth of it. Times in nanoseconds on
@@ -189,8 +189,7 @@ fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
     };
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     Measured::new(experiment, 1, |_, _| {}).write_plots(folder, "engine", None)?;
-    let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
-    let plot = "engine-scaling.svg";
-    fs::copy(folder.join(plot), pictures.join(plot))?;
+    let plot = Path::new(env!("CARGO_MANIFEST_DIR")).join("scaling.svg");
+    fs::copy(folder.join("engine-scaling.svg"), plot)?;
     Ok(())
 }

@@ -62,7 +62,6 @@ impl Tracer<'_> {
         }
     }
 
-    // ANCHOR: trace-batch
     #[inline(always)]
     fn trace_batch<S: Simd>(
         &self,
@@ -89,7 +88,6 @@ impl Tracer<'_> {
             light.copy_from_slice(&path.color.to_lanes()[..light.len()]);
         }
     }
-    // ANCHOR_END: trace-batch
 
     /// Finds the vertices of the active paths, and adds the background to rays without a hit.
     #[inline(always)]

@@ -56,9 +56,6 @@ struct Options {
     /// Width and height of the pictures.
     #[arg(long, default_value = "1280x960")]
     size: Size,
-    /// Renew the pictures of these scenes in the book.
-    #[arg(long)]
-    book: bool,
     /// Render one scene into this file with the engine; the benchmark calls itself with it.
     #[arg(long, hide = true)]
     render: Option<PathBuf>,
@@ -73,7 +70,7 @@ fn main() -> Outcome {
     let options = Options::parse();
     let scenes = chosen(&options.scenes)?;
     match &options.render {
-        Some(file) => render(scenes[0], 1, options.size, options.threads[0], file),
+        Some(file) => render(scenes[0], options.size, options.threads[0], file),
         None if options.bench => compare(&options, &scenes),
         None => Ok(()),
     }
@@ -97,13 +94,8 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Scene>, Box<dyn Error>> {
 fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
     fs::create_dir_all(program::folder())?;
     report::head();
-    let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
     for scene in scenes {
         report::row(scene, &least_figures(options, scene)?);
-        if options.book {
-            let file = pictures.join(format!("peers-{}.png", scene.name));
-            render(scene, 4, Size::new(144, 108)?, 1, &file)?;
-        }
     }
     Ok(())
 }
@@ -132,8 +124,8 @@ fn least_figures(options: &Options, scene: &Scene) -> Result<Vec<OfPrograms>, Bo
     Ok(least)
 }
 
-/// Renders a scene into a file, with a square of samples in each pixel, and prints the times.
-fn render(scene: &Scene, side: u32, size: Size, threads: u16, file: &Path) -> Outcome {
+/// Renders a scene into a file, with one sample in each pixel, and prints the times.
+fn render(scene: &Scene, size: Size, threads: u16, file: &Path) -> Outcome {
     let settings = Settings {
         size,
         ..Settings::default()
@@ -145,7 +137,7 @@ fn render(scene: &Scene, side: u32, size: Size, threads: u16, file: &Path) -> Ou
         println!("build: {} seconds", started.elapsed().as_secs_f64());
 
         let started = Instant::now();
-        let image = renderer.render(&Grid { side }, &settings, &())?;
+        let image = renderer.render(&Grid { side: 1 }, &settings, &())?;
         let rgb = image.to_rgb8(Transfer::Linear);
         println!("trace: {} seconds", started.elapsed().as_secs_f64());
         Ok::<_, common::Error>(rgb)

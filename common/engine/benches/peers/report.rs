@@ -1,4 +1,4 @@
-//! The table of all figures, whose first columns are the table of the book.
+//! The table of all figures.
 
 use crate::program::{Figures, OfPrograms, PROGRAMS, Program};
 use crate::support::scene::Scene;
@@ -20,7 +20,7 @@ const OTHERS: [usize; 2] = [1, 2];
 /// Prints the row of a scene: the figures of all programs on each number of threads.
 pub fn row(scene: &Scene, figures: &[OfPrograms]) {
     let (name, about) = (scene.name, scene.about);
-    print!("| ![{name}](pictures/peers-{name}.png) | {about} |");
+    print!("| {name} | {about} |");
     print_quotients(figures, |of| of.trace);
     print_quotients(figures, |of| of.total);
     print_quotients(figures, |of| of.memory);
