@@ -189,14 +189,14 @@ live.Extremes = class {
             pen.line([x(at), 0], [x(at), -0.12], 'ink');
             pen.text([x(at), -1.05], live.Extremes.ten(at), '', 'middle');
         }
+        if (errors.yours) {
+            pen.path(places(errors.yours), 'ink wide');
+            pen.text([5, none - 1.6], 'yours', '', 'middle');
+        }
         if (!isAsked) {
             pen.path(places(errors.protocol), 'b');
         }
         pen.path(places(errors.ours), 'c');
-        if (errors.yours) {
-            pen.path(places(errors.yours), 'ink');
-            pen.text([5, none - 1.6], 'yours', '', 'middle');
-        }
         pen.line([x(power), 0], [x(power), none], 'ink');
         const [at] = [Math.round((power - now.first) / now.step)];
         pen.dot([x(power), y(errors.ours[at])], 'c', 6);

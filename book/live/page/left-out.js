@@ -186,10 +186,10 @@ live.LeftOut = class {
         const [base, yours, everything] = times;
         const quotient = async (dividends) => (await live.ask('quotient', [...dividends, ...base])).text;
         const beside = engine ? 'by the lesson' : 'with all switches on';
-        const words = (text) => (/^no /.test(text) ? text : `${text} times as long`);
+        const words = (text) => (/^no /.test(text) ? `makes ${text}` : `takes ${text} times as long`);
         const coarse = least < 10 ? ' The clock of this browser is too coarse for it.' : '';
-        const each = [...base].sort((a, b) => a - b)[7] / many;
-        return `Beside the picture ${beside} (${live.show(Number(each.toPrecision(2)))} ms): yours takes ${words(await quotient(yours))}; all work takes ${words(await quotient(everything))}. Medians of ${live.LeftOut.rounds} rounds, with the interval that holds the true one with 95 %.${coarse}`;
+        const each = [...base].sort((a, b) => a - b)[base.length >> 1] / many;
+        return `Beside the picture ${beside} (${live.show(Number(each.toPrecision(2)))} ms): yours ${words(await quotient(yours))}; all work ${words(await quotient(everything))}. Medians of ${live.LeftOut.rounds} rounds, with the interval that holds the true one with 95 %.${coarse}`;
     }
 };
 

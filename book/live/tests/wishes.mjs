@@ -67,7 +67,7 @@ export async function tryOwnCurve({ chromium, expect }) {
     expect(errors[0] === 'angle answers ' && errors[1] && errors[2], `the own formula is shown as ${errors}`);
 }
 
-// Each scene: guessed first; with all switches on, with all off, and with the first that saves anything off.
+// Each scene: guessed first; with all switches on, with one after the other off, and with all off.
 export async function tryLeftOut({ chromium, expect, run, programs, shot }) {
     const figure = 'live.leftOut';
     await chromium.middle(`${figure}.root`);
@@ -75,25 +75,42 @@ export async function tryLeftOut({ chromium, expect, run, programs, shot }) {
     const scenes = await chromium.value(`[...${figure}.scene.options].map(({ value }) => value)`);
     for (const engine of [false, true]) {
         for (const scene of scenes) {
-            const [, program, name] = /^(a0\d-[a-z]+(?:-[a-z]+)?)-((?:box-)?[a-z]+)$/.exec(scene);
+            const program = ['a05-lighting', 'a06-shadows-reflection', 'a07-transforms'].find((stage) => scene.startsWith(`${stage}-`));
+            const name = scene.slice(program.length + 1);
             const text = await printed(run, programs, program, ['render', name, '--explain', ...(engine ? ['--fast'] : [])]);
             const table = Object.fromEntries([...text.matchAll(/^ {2}([a-z]+ [a-z]+|powers) +(\d+) +(\d+)$/gm)].map(([, kind, all, done]) => [kind, { all: Number(all), done: Number(done) }]));
-            const [, words, saved] = /left out:\n {4}([^:]+): (.+)/.exec(text) ?? [];
+            const saved = Object.fromEntries([...text.matchAll(/^ {4}(\S[^:\n]*): (\d.+)$/gm)].map(([, words, counts]) =>
+                [words, Object.fromEntries(counts.split(', ').map((count) => [count.replace(/^\d+ /, ''), parseInt(count)]))]));
             await chromium.value(`(${figure}.scene.value = '${scene}', ${figure}.engine.checked = ${engine}, ${figure}.open())`);
             await chromium.click(`${figure}.question.querySelector('button')`);
             expect(/saves|needs all/i.test(await chromium.value(`${figure}.question.querySelector('output').value`)), `${scene}: no verdict`);
-            const counts = (off) => chromium.value(`(async () => {
-                ${figure}.omissions.forEach(({ box, words }) => (box.checked = !(${JSON.stringify(off)} === 'all' || words === ${JSON.stringify(off)})));
-                await ${figure}.update();
-                return [Object.fromEntries(${figure}.kinds.map((kind, index) => [kind, ${figure}.latest[index]])), ${figure}.bytes.value];
-            })()`);
-            const add = Object.fromEntries((saved ?? '').split(', ').filter(Boolean).map((count) => [count.replace(/^\d+ /, ''), parseInt(count)]));
-            for (const [off, expected] of [['', (kind) => table[kind].done], ['all', (kind) => table[kind].all], [words, (kind) => table[kind].done + (add[kind] ?? 0)]]) {
-                const [shown, bytes] = await counts(off ?? '');
+            // With this many switches off, from the first: the program puts its omissions back in this order.
+            const counts = async (off) => {
+                const [shown, bytes] = await chromium.value(`(async () => {
+                    ${figure}.omissions.forEach(({ box }, index) => (box.checked = index >= ${off}));
+                    await ${figure}.update();
+                    return [Object.fromEntries(${figure}.kinds.map((kind, index) => [kind, ${figure}.latest[index]])), ${figure}.bytes.value];
+                })()`);
+                expect(/^All \d+ bytes are the same/.test(bytes), `${scene}, ${off} switches off: ${bytes}`);
+                return shown;
+            };
+            const here = `${scene}${engine ? ' by the engine' : ''}`;
+            const omissions = await chromium.value(`${figure}.omissions.map(({ words }) => words)`);
+            let before = await counts(0);
+            for (const [kind, { done }] of Object.entries(table)) {
+                expect(before[kind] === done, `${here}: ${before[kind]} ${kind}, the program has ${done}`);
+            }
+            for (const [index, words] of omissions.entries()) {
+                const now = await counts(index + 1);
                 for (const kind of Object.keys(table)) {
-                    expect(shown[kind] === expected(kind), `${scene}${engine ? ' by the engine' : ''}, off: ${off}: ${shown[kind]} ${kind}, the program has ${expected(kind)}`);
+                    const [more, printed] = [Math.max(0, now[kind] - before[kind]), saved[words]?.[kind] ?? 0];
+                    expect(more === printed, `${here}, ${words}: ${more} ${kind}, the program says ${printed}`);
                 }
-                expect(/^All \d+ bytes are the same/.test(bytes), `${scene}, off: ${off}: ${bytes}`);
+                before = now;
+            }
+            // The engine's own tests of all objects are counted in fours.
+            for (const [kind, { all }] of Object.entries(engine ? {} : table)) {
+                expect(before[kind] === all, `${here}, all off: ${before[kind]} ${kind}, the program has ${all}`);
             }
             await shot(`left-out-${name}`, `${figure}.root`);
         }
