@@ -272,7 +272,7 @@ async function tryWidths(page, width) {
     const cut = await chromium.value(`(() => {
         const scrolls = (element) => element && element !== document.body
             && (/auto|scroll/.test(getComputedStyle(element).overflowX) || scrolls(element.parentElement));
-        const wide = [...document.querySelectorAll('main :is(pre, code, table, .katex-display, img, figure, svg, canvas)')]
+        const wide = [...document.querySelectorAll('main :is(pre, code, table, .katex-display, img, figure, svg, canvas, select)')]
             .filter((element) => element.checkVisibility() && element.getBoundingClientRect().right > innerWidth + 1)
             .filter((element) => !element.closest('.img-wrapper') && !scrolls(element));
         return [document.documentElement.scrollWidth, ...wide.map((element) => element.outerHTML.slice(0, 90))];

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 use live::{Answer, call};
 
 mod arithmetic;
+mod sweeps;
 
 fn ask(request: &str, numbers: &[f64]) -> Answer {
     call(request, numbers).unwrap()
