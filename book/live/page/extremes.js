@@ -33,6 +33,7 @@ live.Extremes = class {
         });
         live.caption(image).after(this.root);
         live.stillOf(image);
+        live.caption(image).classList.add('live-still');
         this.cases = new live.Cases(this.root);
         // The module is loaded when the reader is about to see the figure.
         const seen = new IntersectionObserver(([{ isIntersecting }]) => {
