@@ -64,16 +64,24 @@ impl DoubleDouble {
         if self.high == 0.0 {
             return "0".to_owned();
         }
-        let exponent = libm::floor(libm::log10(self.high.abs())) as i32;
-        let mut scaled = self;
+        let (sign, mut scaled) = if self.high < 0.0 {
+            ("-", -self)
+        } else {
+            ("", self)
+        };
+        let mut exponent = libm::floor(libm::log10(scaled.high)) as i32;
         for _ in exponent..21 {
             scaled = scaled * Self::from(10.0);
         }
+        // Just below a power of ten the logarithm is rounded up.
+        if (scaled - Self::from(1e21)).high < 0.0 {
+            scaled = scaled * Self::from(10.0);
+            exponent -= 1;
+        }
         // A double of 22 digits is a whole number.
-        let whole = scaled.high.abs() as i128 + (scaled.low * scaled.high.signum()).round() as i128;
+        let whole = scaled.high as i128 + scaled.low.round() as i128;
         let digits = whole.to_string();
         let point = exponent + digits.len() as i32 - 21;
-        let sign = if self.high < 0.0 { "-" } else { "" };
         let (digits, length) = (digits.trim_end_matches('0'), digits.len() as i32);
         let count = digits.len() as i32;
         match point {

@@ -57,6 +57,24 @@ pub struct Point {
 }
 
 impl Point {
+    /// The problem of these numbers, whose exact answer is a function of them.
+    pub fn of(
+        given: &[f64],
+        answer: impl Fn(&[DoubleDouble]) -> DoubleDouble,
+        found: Both<Option<f64>>,
+    ) -> Self {
+        let numbers: Vec<_> = given.iter().map(|x| DoubleDouble::from(*x)).collect();
+        let exact = answer(&numbers);
+        Self {
+            given: given.to_vec(),
+            factor: 1.0,
+            exact,
+            size: exact.value(),
+            condition: condition(given, answer),
+            found,
+        }
+    }
+
     /// The error of an answer, in units in the last place; infinite without an answer.
     pub fn error(&self, found: Option<f64>) -> f64 {
         let error = found.map_or(f64::NAN, |found| self.exact.error_of(found).abs());
@@ -107,7 +125,7 @@ pub fn ten_to(power: f64) -> f64 {
 }
 
 /// The condition of an answer: by how many parts it changes, if each given number changes by one part.
-pub fn condition(given: &[f64], answer: impl Fn(&[DoubleDouble]) -> DoubleDouble) -> f64 {
+fn condition(given: &[f64], answer: impl Fn(&[DoubleDouble]) -> DoubleDouble) -> f64 {
     const PART: f64 = 1e-20;
     let given: Vec<_> = given.iter().map(|x| DoubleDouble::from(*x)).collect();
     let before = answer(&given);

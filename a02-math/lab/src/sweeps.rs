@@ -3,9 +3,8 @@
 use a02_math::Vector3;
 use measure::extremes::Both;
 
-use crate::exact::DoubleDouble;
 use crate::protocol;
-use crate::sweep::{Exercise, Point, Sweep, arc_tangent, condition};
+use crate::sweep::{Exercise, Point, Sweep, arc_tangent};
 
 /// The angle between two vectors.
 pub const ANGLE: Sweep = Sweep {
@@ -24,16 +23,8 @@ pub const ANGLE: Sweep = Sweep {
     }),
     at: |t| {
         let given = [1.0, 0.0, 0.0, 1.0, t, 0.0];
-        let exact = |x: &[DoubleDouble]| arc_tangent(x[4] / x[3]);
-        let exact_angle = arc_tangent(t.into());
-        Point {
-            given: given.to_vec(),
-            factor: 1.0,
-            exact: exact_angle,
-            size: exact_angle.value(),
-            condition: condition(&given, exact),
-            found: angles(Vector3::new(1.0, t, 0.0)).map(Some),
-        }
+        let found = angles(Vector3::new(1.0, t, 0.0)).map(Some);
+        Point::of(&given, |x| arc_tangent(x[4] / x[3]), found)
     },
     picture: |t, [x, y]| {
         let angles = angles(Vector3::new(1.0, t * x, t * y));

@@ -11,25 +11,19 @@ pub use needle::NEEDLE;
 pub use tangent::TANGENT;
 
 use a02_lab::exact::DoubleDouble;
-use a02_lab::sweep::Exercise;
+use a02_lab::sweep::{Exercise, Point};
 use a03_rays_cameras::Ray;
 use measure::extremes::Both;
 
-use crate::formula::sphere::{Shot, terms};
+use crate::formula::sphere::terms;
 use crate::line::Line;
 use crate::number::{Triple, difference};
-use crate::subject::Subject;
+use crate::subject::{SPHERE, Subject};
 
 /// The exercise of a shape.
 const fn exercise(name: &'static str) -> Exercise {
     let (stage, part) = ("a04-intersections", "t");
     Exercise { stage, name, part }
-}
-
-/// A shape and a line, in the order of the exercises' questions: the interval is last.
-fn given(shape: &[f64], line: &Line) -> Vec<f64> {
-    let ahead = [0.0, f64::INFINITY];
-    [shape, &line.origin, &line.direction, &ahead].concat()
 }
 
 /// The `t` of the first hit of a ray, by the lesson and by the protocol.
@@ -43,13 +37,20 @@ fn both(subject: &Subject, shape: &[f64], ray: &Ray) -> Both<Option<f64>> {
 /// The sphere around the origin.
 const UNIT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
-/// A line towards it.
-const fn towards_unit(line: Line) -> Shot {
-    Shot {
-        center: [0.0; 3],
-        radius: 1.0,
-        line,
-    }
+/// The first hit of a line whose direction has the length 1.
+fn hit_of_unit(line: Line) -> Point {
+    let found = both(&SPHERE, &UNIT, &line.raw_ray());
+    ahead(Point::of(
+        &[&UNIT[..], &line.origin, &line.direction].concat(),
+        near_root,
+        found,
+    ))
+}
+
+/// The point with the numbers that an exercise of a shape takes: those of shape and line, and an interval.
+fn ahead(mut point: Point) -> Point {
+    point.given.extend([0.0, f64::INFINITY]);
+    point
 }
 
 /// The near root of a sphere's centre and radius, and a line's origin and direction.

@@ -1,7 +1,6 @@
 //! A problem of this stage from harmless to extreme.
 
-use a02_lab::exact::DoubleDouble;
-use a02_lab::sweep::{Point, Sweep, condition, tangent};
+use a02_lab::sweep::{Point, Sweep, tangent};
 use a02_math::{Point3, Vector3};
 use common::Color;
 use measure::extremes::Both;
@@ -54,17 +53,7 @@ pub const SPOT: Sweep = Sweep {
     harmless: 0.0,
     step: 0.25,
     exercise: None,
-    at: |half_angle| {
-        let exact = tangent(half_angle.into());
-        Point {
-            given: vec![half_angle],
-            factor: 1.0,
-            exact,
-            size: exact.value(),
-            condition: condition(&[half_angle], |x: &[DoubleDouble]| tangent(x[0])),
-            found: edge(half_angle),
-        }
-    },
+    at: |half_angle| Point::of(&[half_angle], |x| tangent(x[0]), edge(half_angle)),
     picture: |half_angle, place| {
         let [x, y] = place.map(|x| x * 1.6 * libm::tan(half_angle));
         is_lit(half_angle, x, y).map(|lit| lit.filter(|lit| *lit).map(|_| 0.9))

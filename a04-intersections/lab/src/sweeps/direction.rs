@@ -1,9 +1,9 @@
 //! A direction that is not of length 1.
 
-use a02_lab::sweep::{Point, Sweep, condition};
+use a02_lab::sweep::{Point, Sweep};
 use measure::extremes::Both;
 
-use super::{UNIT, exercise, given, near_root};
+use super::{UNIT, exercise, hit_of_unit};
 use crate::line::line;
 use crate::subject::SPHERE;
 
@@ -31,17 +31,15 @@ pub const DIRECTION: Sweep = Sweep {
     harmless: 0.0,
     step: 1.0,
     exercise: Some(exercise("sphere")),
-    at: |length| Point {
-        given: given(&UNIT, &line([0.0, 0.0, 3.0], [0.0, 0.0, -length])),
-        factor: length,
-        exact: 2.0.into(),
-        size: 2.0,
-        // The distance does not depend on the length; the condition is that of the direction (0, 0, -1).
-        condition: condition(
-            &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 3.0, 0.0, 0.0, -1.0],
-            near_root,
-        ),
-        found: distances(0.0, 0.0, length),
+    at: |length| {
+        // The distance is that along a direction of length 1, and so is the condition.
+        let mut point = hit_of_unit(line([0.0, 0.0, 3.0], [0.0, 0.0, -1.0]));
+        point.given[9] = -length;
+        Point {
+            factor: length,
+            found: distances(0.0, 0.0, length),
+            ..point
+        }
     },
     picture: |length, [x, y]| {
         let bulge = |distance: f64| 0.25 + 0.75 * (3.0 - distance).clamp(0.0, 1.0);

@@ -1,9 +1,8 @@
 //! A ball of radius 1 that goes away.
 
-use a02_lab::sweep::{Point, Sweep, condition};
+use a02_lab::sweep::Sweep;
 
-use super::{UNIT, both, exercise, given, near_root, towards_unit};
-use crate::exact;
+use super::{UNIT, both, exercise, hit_of_unit};
 use crate::line::line;
 use crate::subject::SPHERE;
 
@@ -18,21 +17,7 @@ pub const FAR_BALL: Sweep = Sweep {
     harmless: 0.5,
     step: 0.25,
     exercise: Some(exercise("sphere")),
-    at: |distance| {
-        let from = line([0.5, 0.0, distance], [0.0, 0.0, -1.0]);
-        let given = given(&UNIT, &from);
-        let [near, _] = exact::sphere(&towards_unit(from))
-            .roots
-            .unwrap_or([f64::NAN.into(); 2]);
-        Point {
-            exact: near,
-            size: near.value(),
-            condition: condition(&given[..10], near_root),
-            found: both(&SPHERE, &UNIT, &from.raw_ray()),
-            given,
-            factor: 1.0,
-        }
-    },
+    at: |distance| hit_of_unit(line([0.5, 0.0, distance], [0.0, 0.0, -1.0])),
     picture: |distance, [x, y]| {
         let from = line([1.4 * x, 1.4 * y, distance], [0.0, 0.0, -1.0]);
         let bulge = |t: f64| 0.25 + 0.75 * (distance - t).clamp(0.0, 1.0);

@@ -1,10 +1,10 @@
 //! A triangle that becomes a needle.
 
 use a02_lab::exact::DoubleDouble;
-use a02_lab::sweep::{Point, Sweep, condition};
+use a02_lab::sweep::{Point, Sweep};
 use measure::extremes::Both;
 
-use super::{both, exercise, given};
+use super::{ahead, both, exercise};
 use crate::formula::triangle::moeller_trumbore;
 use crate::line::{Line, line};
 use crate::number::{Triple, difference, dot};
@@ -51,17 +51,21 @@ pub const NEEDLE: Sweep = Sweep {
     at: |aspect| {
         let (needle, line) = (needle(1.0, aspect), towards(place(0.5, 0.33, aspect)));
         let numbers = [&needle[..], &line.origin, &line.direction].concat();
-        let exact: Vec<_> = numbers.iter().map(|x| DoubleDouble::from(*x)).collect();
-        let exact = meeting(&exact) * length(&exact);
         let ray = line.any_ray();
-        Point {
-            given: given(&needle, &Line::of(&ray)),
-            factor: 1.0,
-            size: exact.value(),
+        let point = Point::of(&numbers, meeting, both(&TRIANGLE, &needle, &ray));
+        // The formulas get a direction of length 1, so that their `t` is the distance.
+        let length = dot(
+            &line.direction.map(DoubleDouble::from),
+            &line.direction.map(DoubleDouble::from),
+        );
+        let exact = point.exact * length.sqrt();
+        let Line { origin, direction } = Line::of(&ray);
+        ahead(Point {
+            given: [&needle[..], &origin, &direction].concat(),
             exact,
-            condition: condition(&numbers, meeting),
-            found: both(&TRIANGLE, &needle, &ray),
-        }
+            size: exact.value(),
+            ..point
+        })
     },
     picture: |aspect, [x, y]| {
         let ray = towards(place(0.5 + 0.6 * x, 1.2 * y, aspect)).any_ray();
@@ -87,10 +91,4 @@ fn meeting(x: &[DoubleDouble]) -> DoubleDouble {
         direction: triple(12),
     };
     moeller_trumbore(&[triple(0), triple(3), triple(6)], &line).t
-}
-
-/// The length of a line's direction, which is last.
-fn length(x: &[DoubleDouble]) -> DoubleDouble {
-    let direction = [x[12], x[13], x[14]];
-    dot(&direction, &direction).sqrt()
 }

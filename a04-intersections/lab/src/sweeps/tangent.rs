@@ -1,9 +1,8 @@
 //! A ray that comes nearer and nearer to a sphere's tangent.
 
-use a02_lab::sweep::{Point, Sweep, condition};
+use a02_lab::sweep::Sweep;
 
-use super::{UNIT, both, exercise, given, near_root, towards_unit};
-use crate::exact;
+use super::{UNIT, both, exercise, hit_of_unit};
 use crate::line::line;
 use crate::subject::SPHERE;
 
@@ -18,21 +17,7 @@ pub const TANGENT: Sweep = Sweep {
     harmless: 0.0,
     step: 0.25,
     exercise: Some(exercise("sphere")),
-    at: |below| {
-        let past = line([-5.0, 1.0 - below, 0.0], [1.0, 0.0, 0.0]);
-        let given = given(&UNIT, &past);
-        let [near, _] = exact::sphere(&towards_unit(past))
-            .roots
-            .unwrap_or([f64::NAN.into(); 2]);
-        Point {
-            exact: near,
-            size: near.value(),
-            condition: condition(&given[..10], near_root),
-            found: both(&SPHERE, &UNIT, &past.raw_ray()),
-            given,
-            factor: 1.0,
-        }
-    },
+    at: |below| hit_of_unit(line([-5.0, 1.0 - below, 0.0], [1.0, 0.0, 0.0])),
     picture: |below, [x, y]| {
         let height = 1.0 + below * (2.0 * y - 1.0);
         let past = line(
