@@ -14,7 +14,8 @@ pub struct Sweep {
     pub computes: &'static str,
     /// What the picture shows.
     pub shows: &'static str,
-    /// The cases of `extremes` that are points of it.
+    /// Its stage, and the cases of `extremes` there that are points of it.
+    pub stage: &'static str,
     pub cases: &'static str,
     /// The powers of ten of the number, from the first to the last, and the one that is harmless.
     pub powers: [f64; 2],
@@ -32,8 +33,6 @@ pub struct Sweep {
 
 /// An exercise whose first question takes the given numbers of a [`Point`].
 pub struct Exercise {
-    /// The stage.
-    pub stage: &'static str,
     /// The name.
     pub name: &'static str,
     /// The name of the number in its answer.

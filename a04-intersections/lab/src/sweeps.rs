@@ -22,8 +22,7 @@ use crate::subject::{SPHERE, Subject};
 
 /// The exercise of a shape.
 const fn exercise(name: &'static str) -> Exercise {
-    let (stage, part) = ("a04-intersections", "t");
-    Exercise { stage, name, part }
+    Exercise { name, part: "t" }
 }
 
 /// The `t` of the first hit of a ray, by the lesson and by the protocol.

@@ -48,6 +48,7 @@ pub const SPOT: Sweep = Sweep {
     parameter: "half angle of a spot light, in radians",
     computes: "the radius of its light on a wall at the distance 1",
     shows: "The light on the wall, enlarged until it should fill five eighths of the width.",
+    stage: "a05-lighting",
     cases: "F41, F42, F43",
     powers: [0.0, -10.0],
     harmless: 0.0,

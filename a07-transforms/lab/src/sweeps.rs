@@ -24,6 +24,7 @@ pub const STRETCHED: Sweep = Sweep {
     parameter: "factor by which a matrix stretches one axis, between rotations",
     computes: "the greatest number of |M I - 1|, where I is the inverse of the matrix M",
     shows: "A chessboard whose points went there by M and back by I.",
+    stage: "a07-transforms",
     cases: "G05, G06, G33",
     powers: [0.0, 16.0],
     harmless: 0.0,

@@ -48,9 +48,9 @@ live.Extremes = class {
     async start() {
         const { text, ...lists } = await live.ask('sweeps');
         this.problems = text.split('\n').map((line, index) => {
-            const [name, parameter, computes, shows, cases, exercise] = line.split('\t');
+            const [name, parameter, computes, shows, stage, cases, exercise] = line.split('\t');
             const [first, last, harmless, step] = ['first', 'last', 'harmless', 'step'].map((list) => lists[list][index]);
-            return { name, parameter, computes, shows, cases, exercise, first, last, harmless, step: last < first ? -step : step };
+            return { name, parameter, computes, shows, stage, cases, exercise, first, last, harmless, step: last < first ? -step : step };
         });
         this.problem.append(...this.problems.map(({ parameter }, value) => live.element('option', { value }, parameter)));
         await this.choose();
@@ -72,6 +72,7 @@ live.Extremes = class {
         delete this.root.dataset.error;
         this.knob.max = Math.round((now.last - now.first) / now.step);
         this.knob.setAttribute('aria-label', now.parameter);
+        this.cases.stage.value = now.stage;
         this.cases.filter.value = now.cases;
         now.asked ??= 'yes';
         this.ask();
@@ -79,16 +80,15 @@ live.Extremes = class {
     }
 
     // The errors of the reader's own formula, if the exercise is done.
-    async askYours({ name, exercise }) {
-        const [stage, own] = exercise.split('/');
-        if (!live.yours?.[stage]?.includes(own)) {
+    async askYours({ name, stage, exercise }) {
+        if (!live.yours?.[stage]?.includes(exercise)) {
             return undefined;
         }
         const { text, count, given } = await live.ask(`sweep-questions ${name}`);
         const post = await live.start(`yours-${stage}.js`);
         const end = setTimeout(() => post.stop('no end within 10 seconds'), 10_000);
         try {
-            const { answers } = await post({ request: `${own} answers ${text}`, numbers: [...count, ...given] });
+            const { answers } = await post({ request: `${exercise} answers ${text}`, numbers: [...count, ...given] });
             return await live.ask(`sweep-errors ${name}`, [...answers]);
         } finally {
             clearTimeout(end);

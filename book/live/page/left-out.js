@@ -177,8 +177,10 @@ live.LeftOut = class {
         }
         const times = methods.map(() => []);
         for (let round = 1; round <= live.LeftOut.rounds; round += 1) {
-            for (const [index, method] of methods.entries()) {
-                times[index].push(await this.timed(...method, many));
+            // There and back, so that none always follows the same other one.
+            const order = round % 2 ? [0, 1, 2] : [2, 1, 0];
+            for (const index of order) {
+                times[index].push(await this.timed(...methods[index], many));
             }
             this.bar.value = round;
             this.time.value = `Round ${round} of ${live.LeftOut.rounds}, ${many} pictures each …`;

@@ -25,19 +25,17 @@ const GAP: u32 = 8;
 /// All problems: a line of words for each, and the ranges of their powers.
 pub fn all() -> Answer {
     let lines = ALL.iter().map(|sweep| {
-        let exercise = sweep.exercise.as_ref();
-        let exercise = exercise.map_or(String::new(), |asked| {
-            format!("{}/{}", asked.stage, asked.name)
-        });
+        let exercise = sweep.exercise.as_ref().map_or("", |asked| asked.name);
         let Sweep {
             name,
             parameter,
             computes,
             shows,
+            stage,
             cases,
             ..
         } = sweep;
-        [name, parameter, computes, shows, cases, exercise.as_str()].join("\t")
+        [name, parameter, computes, shows, stage, cases, exercise].join("\t")
     });
     let list = |value: fn(&Sweep) -> f64| ALL.iter().map(value).collect::<Vec<_>>();
     Answer::text(lines.collect::<Vec<_>>().join("\n"))

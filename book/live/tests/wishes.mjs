@@ -115,6 +115,14 @@ export async function tryLeftOut({ chromium, expect, run, programs, shot }) {
             await shot(`left-out-${name}`, `${figure}.root`);
         }
     }
+    // A scene of the editor, in the link from there.
+    const [page, scene] = await chromium.value(`live.ask('export a05-lighting-phong').then(({ text }) => [location.href, text])`);
+    await chromium.go('about:blank');
+    await chromium.go(`${page}#scene=${encodeURIComponent(scene)}`);
+    await chromium.middle(`${figure}.root`);
+    await chromium.until(`${figure}.root.dataset.drawn !== undefined`);
+    const own = await chromium.value(`[${figure}.scene.selectedOptions[0].textContent, ${figure}.latest[5], ${figure}.bytes.value.slice(0, 3)]`);
+    expect(`${own}` === 'the scene of the editor,1879,All', `a scene of the editor has ${own}`);
     // Timed, stopped, and timed again, by the keyboard.
     await chromium.value(`(live.LeftOut.rounds = 200, ${figure}.measure.focus())`);
     await chromium.value(`${figure}.measure.click()`);

@@ -26,6 +26,7 @@ pub const DIRECTION: Sweep = Sweep {
     parameter: "length of a ray's direction",
     computes: "the distance to a ball of radius 1, two before the ray's origin",
     shows: "The ball by parallel rays with directions of this length.",
+    stage: "a04-intersections",
     cases: "A23, A27, A30",
     powers: [-200.0, 200.0],
     harmless: 0.0,

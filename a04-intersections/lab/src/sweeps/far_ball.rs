@@ -12,6 +12,7 @@ pub const FAR_BALL: Sweep = Sweep {
     parameter: "distance of a ball of radius 1",
     computes: "the t at which a ray half a radius beside its middle hits it",
     shows: "The ball by parallel rays from there: the farther its surface bulges, the brighter it is.",
+    stage: "a04-intersections",
     cases: "A45, A46, A47",
     powers: [0.5, 16.0],
     harmless: 0.5,

@@ -43,6 +43,7 @@ pub const NEEDLE: Sweep = Sweep {
     parameter: "length of a triangle, divided by its height",
     computes: "the distance of a point at a third of its height",
     shows: "Two such triangles with a common edge, each drawn as high as wide. Light behind them is white.",
+    stage: "a04-intersections",
     cases: "D08, D30, D31",
     powers: [0.0, 16.0],
     harmless: 0.0,

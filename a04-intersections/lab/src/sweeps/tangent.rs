@@ -12,6 +12,7 @@ pub const TANGENT: Sweep = Sweep {
     parameter: "distance of a ray below the tangent of a ball of radius 1",
     computes: "the t at which the ray from 5 before its middle hits it",
     shows: "The highest point of the ball, enlarged until this distance is a quarter of the picture's height.",
+    stage: "a04-intersections",
     cases: "A21, A43, A44",
     powers: [0.0, -16.0],
     harmless: 0.0,
