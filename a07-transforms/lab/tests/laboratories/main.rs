@@ -51,10 +51,11 @@ fn the_extreme_cases_hold() {
     extremes::check(&CASES);
 }
 
-/// No bound is far above the condition of its case, but where a byte is computed.
+/// No bound is far above the condition of its case, but where a byte is computed, and where a spot light compares the
+/// cosine of a small angle.
 #[test]
 fn bounds_are_those_of_the_problem() {
-    const OF_BYTES: [&str; 2] = ["L04", "Q13"];
+    const LOOSE: [&str; 5] = ["F41", "F42", "F43", "L04", "Q13"];
     let mut loose = Vec::new();
     for case in CASES.iter() {
         let magnitude = case
@@ -74,7 +75,7 @@ fn bounds_are_those_of_the_problem() {
         }
     }
     loose.sort_unstable();
-    assert_eq!(loose, OF_BYTES);
+    assert_eq!(loose, LOOSE);
 }
 
 /// The rows of the tables of all stages have ids of their own, and the errata page names
