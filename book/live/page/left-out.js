@@ -168,7 +168,7 @@ live.LeftOut = class {
     async compare() {
         const engine = Number(this.engine.checked);
         // Beside the engine stands the lesson as it is, and beside switches the same code with all of them on.
-        const methods = [[0, engine ? -1 : 0], [engine, this.putBack], [0, 255]];
+        const methods = [[0, engine ? -1 : 0], [engine, this.putBack], [0, 2 ** 16 - 1]];
         this.bar.value = 0;
         this.time.value = 'How many pictures does the clock of this browser need? …';
         let [many, least] = [1, 0];
