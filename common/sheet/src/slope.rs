@@ -49,7 +49,7 @@ impl Slope {
             if point.error == 0.0 {
                 let samples = point.samples;
                 return Err(format!(
-                    "with {samples} samples the error is 0, which has no logarithm"
+                    "with {samples} samples the picture is exact already: does the program use --samples?"
                 ));
             }
             let x = match axis {
