@@ -35,11 +35,7 @@ pub const SHAPES: &[ShapeRow] = &[
 pub const KINDS: Shapes = Shapes(&[SHAPES]);
 
 /// The scene files of this stage.
-pub const FORMAT: Format = Format {
-    stage: 4,
-    own_tables: || KINDS.own_tables(),
-    view,
-};
+pub const FORMAT: Format = Format { stage: 4, view };
 
 impl ShapeKind for Plane {
     fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {

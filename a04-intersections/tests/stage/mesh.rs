@@ -13,7 +13,7 @@ fn a_triangle_whose_hit_does_not_count_hides_no_other_one() {
     let text = "[camera]\neye = [0, 0, 0]\ngaze = [0, 0, -1]\nangle = 40\n\
                 [[mesh]]\nfile = \"two.obj\"\ncolor = \"red\"";
     let read = |_: &str| scene_file::Mesh::read(obj.as_bytes());
-    let file = SceneFile::read(text, 4, &[], &read).unwrap();
+    let file = SceneFile::read(text, 4, &read).unwrap();
     let mesh = Mesh::read(&file.shapes[0], Vec::new()).unwrap();
     let ray = Ray::new(Point3::ORIGIN, Vector3::new(0.0, 0.0, -1.0)).unwrap();
     let hits_beyond = |t| mesh.any_hit(&ray, Interval::AHEAD, &|hit| hit.t > t);

@@ -38,11 +38,7 @@ pub const MATERIALS: &[MaterialRow] = &[
 pub const KINDS: Materials = Materials(&[MATERIALS]);
 
 /// The scene files of this stage.
-pub const FORMAT: Format = Format {
-    stage: 5,
-    own_tables: || SHAPES.own_tables(),
-    view,
-};
+pub const FORMAT: Format = Format { stage: 5, view };
 
 impl LightKind for PointLight {
     fn read(item: &Item) -> Result<Self, Error> {

@@ -25,7 +25,6 @@ pub const KINDS: Materials = Materials(&[LIT_MATERIALS, MATERIALS]);
 /// The scene files of this stage.
 pub const FORMAT: Format = Format {
     stage: 6,
-    own_tables: || SHAPES.own_tables(),
     view: |file| read_view(file, SHAPES).map(traced),
 };
 

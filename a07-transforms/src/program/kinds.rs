@@ -32,7 +32,6 @@ pub const KINDS: Shapes = Shapes(&[SIMPLE_SHAPES, SHAPES]);
 /// The scene files of this stage.
 pub const FORMAT: Format = Format {
     stage: 7,
-    own_tables: || KINDS.own_tables(),
     view: |file| read_view(file, KINDS).map(traced),
 };
 

@@ -1,4 +1,4 @@
-//! A shape of one's own: one row gives it a table in scene files, and all renderers, the
+//! A shape that the engine does not know: by its row scene files have it, and all renderers, the
 //! explanation and the export take it.
 
 use std::path::Path;
@@ -12,22 +12,21 @@ use a06_shadows_reflection::kinds::read_view;
 use a06_shadows_reflection::traced_with;
 use a07_transforms::kinds::SHAPES as TRANSFORMED;
 use common::Settings;
-use common::sensitivity::Unit;
-use scene_file::{Error, Item, Key};
+use scene_file::{Error, Item};
 
 use crate::scene_cases::wrong_scenes;
 
-/// The part of the plane z = 0 between two points of a diagonal.
+/// The part of the plane z = 0 between two corners, which stands in the table of a box.
 #[derive(Debug)]
 struct Tile {
-    corners: [[f64; 2]; 2],
+    corners: [[f64; 3]; 2],
 }
 
 impl Geometry for Tile {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let t = -ray.origin().z() / ray.direction().z();
         let p = ray.at(t);
-        let [[left, low], [right, high]] = self.corners;
+        let [[left, low, _], [right, high, _]] = self.corners;
         let is_inside = (left..=right).contains(&p.x()) && (low..=high).contains(&p.y());
         let normal = Vector3::new(0.0, 0.0, 1.0).as_normal();
         (is_inside && within.contains(t)).then(|| Hit::new(t, normal))
@@ -36,42 +35,37 @@ impl Geometry for Tile {
 
 impl ShapeKind for Tile {
     fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
-        let corners = item.rows("corners")?;
-        Ok(Self { corners })
+        let [[lbf], [run]] = [item.rows("lbf")?, item.rows("run")?];
+        Ok(Self {
+            corners: [lbf, run],
+        })
     }
 
     fn content(&self) -> Content<'_> {
-        Content::Values(vec![("corners", self.corners.as_flattened().to_vec())])
+        let [lbf, run] = self.corners.map(|corner| corner.to_vec());
+        Content::Values(vec![("lbf", lbf), ("run", run)])
     }
 }
 
 const SECTION: &str = "a04-intersections.md#one-question-and-an-interval";
-const OWN: &[ShapeRow] = &[ShapeRow::of::<Tile>("tile", SECTION).with_keys(&[Key {
-    name: "corners",
-    form: "2 x 2 numbers",
-    unit: Some(Unit::Length),
-    range: "",
-    missing: "needed",
-    stage: 4,
-    about: "its lower left and its upper right corner",
-}])];
-const KINDS: Shapes = Shapes(&[SIMPLE, TRANSFORMED, OWN]);
+const OWN: &[ShapeRow] = &[ShapeRow::of::<Tile>("box", SECTION)];
+/// The first row of a table reads it.
+const KINDS: Shapes = Shapes(&[OWN, SIMPLE, TRANSFORMED]);
 const FORMAT: Format = Format {
     stage: 7,
-    own_tables: || KINDS.own_tables(),
     view: |file| Ok(traced_with(read_view(file, KINDS)?, KINDS)),
 };
 
 #[test]
-fn it_has_a_table_all_renderers_draw_it_and_its_export_is_the_same() {
+fn all_renderers_draw_it_and_its_export_is_the_same() {
     let file = Path::new("tests/scenes/own-shape.txt");
     assert_eq!(wrong_scenes(file, |path| FORMAT.open(path)), "");
 }
 
 #[test]
 fn a_pixel_names_it() {
-    let text = "[camera]\neye = [0, 0, 4]\ngaze = [0, 0, -1]\nangle = 60\n[[tile]]\n\
-        corners = [[-1, -1], [1, 1]]\ncolor = \"red\"\n";
+    let text = "[camera]\neye = [0, 0, 4]\ngaze = [0, 0, -1]\nangle = 60\n[[box]]\n\
+        lbf = [-1, -1, 0]\nrun = [1, 1, 0]\ncolor = \"red\"\n";
     let file = FORMAT.read(text, &|_| Err("no mesh".to_owned())).unwrap();
     let trace = (FORMAT.view)(&file)
         .unwrap()

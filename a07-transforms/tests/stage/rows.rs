@@ -24,21 +24,10 @@ fn listed(is_light: bool) -> BTreeSet<&'static str> {
 
 #[test]
 fn each_row_of_shapes_has_a_table_and_each_table_a_row() {
-    let own = KINDS.own_tables();
     let mut tables = listed(false);
-    for table in &own {
-        assert!(
-            tables.insert(table.name),
-            "keys.md lists {}, so that its row needs no keys",
-            table.name
-        );
-    }
     for row in KINDS.rows() {
-        assert!(
-            tables.remove(row.key),
-            "{} has neither keys in its row nor in keys.md, or two rows",
-            row.key
-        );
+        let is_listed = tables.remove(row.key);
+        assert!(is_listed, "keys.md lacks {}, or it has two rows", row.key);
     }
     assert!(tables.is_empty(), "{tables:?} have no row");
 }
@@ -63,7 +52,7 @@ fn no_light_is_brighter_than_its_bound_for_the_engine() {
                 lines.push(format!("{} = {value}", key.name));
             }
             let text = lines.join("\n");
-            let file = SceneFile::read(&text, 7, &[], &|_| unreachable!()).unwrap();
+            let file = SceneFile::read(&text, 7, &|_| unreachable!()).unwrap();
             let light = LIGHTS.read(&file.lights[0]).unwrap();
             let bound = engine::Light {
                 kind: LIGHTS.for_engine(&*light),
@@ -128,13 +117,8 @@ fn the_book_has_the_section_of_each_row() {
 
 /// The keys of the table of a row that have numbers: those of every shape have none.
 fn keys(table: &str) -> Vec<Key> {
-    let own = KINDS.own_tables();
-    let own = own.iter().find(|own| own.name == table);
     let listed = TABLES.iter().find(|kind| kind.name == table);
-    let mut keys = match own {
-        Some(own) => own.keys.to_vec(),
-        None => listed.expect(table).keys.clone(),
-    };
+    let mut keys = listed.expect(table).keys.clone();
     keys.retain(|key| key.form.contains("number"));
     keys
 }

@@ -9,15 +9,13 @@ use common::{Color, Settings};
 use engine::{Camera, Light, LightKind, Scene, Shading, Surface, Transform};
 use glam::DVec3;
 
-use crate::{Key, Phrases};
+use crate::Phrases;
 
 /// A shape as the values of its table.
 #[derive(Clone, Debug)]
 pub struct WrittenShape {
     /// The name of its table; none if its type has none.
     pub key: Option<&'static str>,
-    /// The keys of the table, where the list of the book lacks it.
-    pub own_keys: &'static [Key],
     /// The values, by the keys of the table.
     pub values: Vec<(&'static str, Vec<f64>)>,
     /// The shapes of the definition that is used here, instead of values. Uses of the same one hold

@@ -1,7 +1,7 @@
 //! `Kind`: the tables of a scene file and their keys, as `keys.md` lists them, which is a part
 //! of the book, too.
 
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::LazyLock;
 
 use common::sensitivity::Unit;
 
@@ -80,58 +80,6 @@ impl Key {
             form if form.contains("whole") => format!("a list of {form} from 1"),
             form => format!("a list of {form}, all of them finite"),
         }
-    }
-}
-
-/// The table of a shape that a stage knows and `keys.md` does not list.
-#[derive(Clone, Copy, Debug)]
-pub struct OwnTable {
-    /// Its name, without brackets.
-    pub name: &'static str,
-    /// Its keys, besides those of every shape.
-    pub keys: &'static [Key],
-}
-
-/// A kind of tables, and the key in the scene file and in groups that has such tables.
-#[derive(Debug)]
-pub(crate) struct OwnKind {
-    pub kind: Kind,
-    pub key: Key,
-}
-
-/// The keys that `keys.md` lists for every shape.
-const OF_EVERY_SHAPE: [&str; 3] = ["color", "material", "transform"];
-
-impl OwnTable {
-    /// The kind of this table. It is made once, and kept as those of `keys.md` are.
-    pub(crate) fn kind(&self) -> &'static OwnKind {
-        static KNOWN: Mutex<Vec<&OwnKind>> = Mutex::new(Vec::new());
-        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(kind) = known.iter().find(|own| own.kind.name == self.name) {
-            return kind;
-        }
-        let form = &*format!("[[{}]]", self.name).leak();
-        let spheres = KINDS.iter().filter(|kind| kind.name == "sphere");
-        let of_sphere = spheres.flat_map(|kind| &kind.keys);
-        let of_every_shape = of_sphere.filter(|key| OF_EVERY_SHAPE.contains(&key.name));
-        let own = Box::leak(Box::new(OwnKind {
-            kind: Kind {
-                name: self.name,
-                form,
-                keys: self.keys.iter().chain(of_every_shape).copied().collect(),
-            },
-            key: Key {
-                name: self.name,
-                form,
-                unit: None,
-                range: "",
-                missing: "",
-                stage: 0,
-                about: "",
-            },
-        }));
-        known.push(own);
-        own
     }
 }
 

@@ -28,7 +28,7 @@ pub use error::Error;
 pub use export::{WrittenShape, export, write_camera};
 pub use first_mistake::FirstMistake;
 pub use item::{Data, Item};
-pub use kind::{KINDS, Key, Kind, OwnTable};
+pub use kind::{KINDS, Key, Kind};
 pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
 pub use range::Range;

@@ -9,7 +9,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::color_text;
-use crate::kind::{OwnKind, has_shapes};
+use crate::kind::has_shapes;
 use crate::mistake::BACKSLASH;
 use crate::numbers::numbers;
 use crate::scene_file::Meshes;
@@ -20,8 +20,6 @@ use crate::{Data, Error, Item, Key, Kind};
 pub struct Reader<'a> {
     text: &'a str,
     stage: u8,
-    /// The tables of the stage that `keys.md` does not list.
-    own: Vec<&'static OwnKind>,
     meshes: Meshes<'a>,
     /// The shapes of repeats.
     pub definitions: Vec<Item>,
@@ -34,12 +32,11 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// A reader of this text for a stage that has tables of its own.
-    pub fn new(text: &'a str, stage: u8, own: Vec<&'static OwnKind>, meshes: Meshes<'a>) -> Self {
+    /// A reader of this text for a stage.
+    pub fn new(text: &'a str, stage: u8, meshes: Meshes<'a>) -> Self {
         Self {
             text,
             stage,
-            own,
             meshes,
             definitions: Vec::new(),
             copies: 0.0,
@@ -74,19 +71,14 @@ impl Reader<'_> {
             return item;
         }
         for (name, value) in table {
-            let own = self.own_kind(kind, name.get_ref());
-            let known = match own {
-                Some(own) => Ok(&own.key),
-                None => self.known(&item, name),
-            };
-            let key = match known {
+            let key = match self.known(&item, name) {
                 Ok(key) => key,
                 Err(error) => {
                     self.keep(error);
                     continue;
                 }
             };
-            let Some(kind) = own.map(|own| &own.kind).or_else(|| key.tables()) else {
+            let Some(kind) = key.tables() else {
                 match self.data(item.kind, key, value) {
                     Ok(data) => item.values.push((key.name, value.span().start, data)),
                     Err(error) => self.keep(error),
@@ -176,12 +168,6 @@ impl Reader<'_> {
                 repeat.tables.extend(copies);
             }
         }
-    }
-
-    /// The stage's own kind of tables of this name, where shapes may stand.
-    fn own_kind(&self, kind: &Kind, name: &str) -> Option<&'static OwnKind> {
-        let mut own = self.own.iter().copied();
-        own.find(|own| has_shapes(kind) && own.key.name == name)
     }
 
     /// The tables of a key, with their names.

@@ -7,7 +7,7 @@ use toml::de::DeTable;
 
 use crate::mistake::mistake;
 use crate::reader::Reader;
-use crate::{Error, FirstMistake, Item, KINDS, Mesh, OwnTable, uses};
+use crate::{Error, FirstMistake, Item, KINDS, Mesh, uses};
 
 /// Reads the mesh of this name, beside the scene file. The error is one clause.
 pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
@@ -41,17 +41,10 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// Reads the text of a scene file for a stage, which may have tables of its own. The error is a
-    /// text that is no TOML.
-    pub fn read(
-        text: &str,
-        stage: u8,
-        own_tables: &[OwnTable],
-        meshes: Meshes,
-    ) -> Result<Self, Error> {
+    /// Reads the text of a scene file for a stage. The error is a text that is no TOML.
+    pub fn read(text: &str, stage: u8, meshes: Meshes) -> Result<Self, Error> {
         let table = DeTable::parse(text).map_err(|error| mistake(text, &error))?;
-        let own = own_tables.iter().map(OwnTable::kind).collect();
-        let mut reader = Reader::new(text, stage, own, meshes);
+        let mut reader = Reader::new(text, stage, meshes);
         let tables = reader.item(&KINDS[0], "", 0, table.get_ref(), 0).tables;
         let missing = |kind: usize| Item::new(&KINDS[kind], "", 0);
         let mut file = Self {

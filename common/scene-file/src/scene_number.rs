@@ -188,7 +188,7 @@ mod tests {
 
     /// The numbers of a text for stage 7, each as it is written, with its table and its key.
     fn numbers(text: &str) -> Vec<String> {
-        let file = SceneFile::read(text, 7, &[], &|_| Err("no mesh".to_owned())).unwrap();
+        let file = SceneFile::read(text, 7, &|_| Err("no mesh".to_owned())).unwrap();
         assert_eq!(file.mistake, None);
         let numbers = file.numbers(text);
         let place = |number: &NumberPlace| {

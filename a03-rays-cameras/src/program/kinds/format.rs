@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use common::{Error, Sampling, Scene, Settings, Size, file, text};
-use scene_file::{FirstMistake, Item, Mesh, Meshes, OwnTable, SceneFile};
+use scene_file::{FirstMistake, Item, Mesh, Meshes, SceneFile};
 
 use crate::kinds::NumberedFile;
 use crate::{View, Views};
@@ -18,8 +18,6 @@ const MOST_BYTES: [u64; 2] = [16 << 20, 1 << 30];
 pub struct Format {
     /// The number of the stage.
     pub stage: u8,
-    /// The tables of its shapes that the list of the book lacks.
-    pub own_tables: fn() -> Vec<OwnTable>,
     /// Makes the camera and the world of the numbers of a file.
     pub view: fn(&SceneFile) -> Result<View, scene_file::Error>,
 }
@@ -27,7 +25,7 @@ pub struct Format {
 impl Format {
     /// Reads the text of a scene file.
     pub fn read(&self, text: &str, meshes: Meshes) -> Result<SceneFile, scene_file::Error> {
-        SceneFile::read(text, self.stage, &(self.own_tables)(), meshes)
+        SceneFile::read(text, self.stage, meshes)
     }
 
     /// The settings, the camera and the world of a file. The error is the first mistake in it.

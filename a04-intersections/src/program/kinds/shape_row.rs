@@ -4,7 +4,7 @@ use std::any::Any;
 
 use a03_rays_cameras::Ray;
 use glam::DVec3;
-use scene_file::{Error, Item, Key, OwnTable};
+use scene_file::{Error, Item};
 
 use super::Shared;
 use crate::Geometry;
@@ -78,8 +78,6 @@ pub struct ShapeRow {
     pub key: &'static str,
     /// The section of the book that explains it.
     pub section: &'static str,
-    /// The keys of its table; none if the list of the book, `keys.md`, has them.
-    keys: &'static [Key],
     read: Read,
     get: fn(&dyn Geometry) -> Option<&dyn ShapeKind>,
     get_mut: fn(&mut dyn Geometry) -> Option<&mut dyn ShapeKind>,
@@ -92,7 +90,6 @@ impl ShapeRow {
         Self {
             key,
             section,
-            keys: &[],
             read: |item, children| Ok(Box::new(K::read(item, children)?)),
             get: |geometry| {
                 let any: &dyn Any = geometry;
@@ -103,19 +100,6 @@ impl ShapeRow {
                 any.downcast_mut::<K>().map(|shape| shape as _)
             },
         }
-    }
-
-    /// The same row of a table that the list of the book lacks, with its keys.
-    #[must_use]
-    pub const fn with_keys(mut self, keys: &'static [Key]) -> Self {
-        self.keys = keys;
-        self
-    }
-
-    /// The keys of its table; none if the list of the book has them.
-    #[must_use]
-    pub const fn own_keys(&self) -> &'static [Key] {
-        self.keys
     }
 
     /// The shape as one of this type; none if it is of another one.
@@ -160,17 +144,6 @@ impl Shapes {
             return self.children_mut(&mut **inner);
         }
         (row.get_mut)(geometry)?.children_mut()
-    }
-
-    /// The tables of these shapes that the list of the book lacks.
-    #[must_use]
-    pub fn own_tables(self) -> Vec<OwnTable> {
-        let own = self.rows().filter(|row| !row.keys.is_empty());
-        let table = |row: &ShapeRow| OwnTable {
-            name: row.key,
-            keys: row.keys,
-        };
-        own.map(table).collect()
     }
 
     /// The intersection tests that a ray takes in a geometry and its children.

@@ -35,7 +35,6 @@ impl Shapes {
         let kind = row.and_then(|row| row.get(geometry));
         let mut shape = WrittenShape {
             key: row.map(|row| row.key),
-            own_keys: row.map_or(&[], |row| row.own_keys()),
             values: Vec::new(),
             used: None,
             transforms: transforms.to_vec(),

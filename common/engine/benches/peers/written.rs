@@ -61,7 +61,6 @@ fn in_words(shape: &Shape) -> WrittenShape {
     };
     WrittenShape {
         key: Some(key),
-        own_keys: &[],
         values,
         used: None,
         transforms: Vec::new(),

@@ -119,8 +119,7 @@ fn line(shape: &WrittenShape, name: &str, numbers: &[f64]) -> String {
     };
     let mut kinds = KINDS.iter();
     let kind = kinds.find(|kind| Some(kind.name) == shape.key);
-    let own = shape.own_keys.iter().find(|key| key.name == name);
-    let key = own.or_else(|| kind.and_then(|kind| kind.key(name)));
+    let key = kind.and_then(|kind| kind.key(name));
     let form = key.map_or("", |key| key.form);
     // Such as `3 x 4 numbers`.
     let rows = form.split_once(" x ");

@@ -6,7 +6,6 @@ use toml::de::DeString;
 
 use super::{Reader, error};
 use crate::error::nearest;
-use crate::kind::has_shapes;
 use crate::synonyms::known_for;
 use crate::{Error, Item, KINDS, Key, Kind};
 
@@ -42,10 +41,7 @@ impl Reader<'_> {
     /// What was probably meant by the name of a key that a table does not have, or where it stands,
     /// as the end of an error.
     fn right_name(&self, item: &Item, name: &str) -> String {
-        let mut names = self.names(item.kind);
-        if has_shapes(item.kind) {
-            names.extend(self.own.iter().map(|own| own.key.name));
-        }
+        let names = self.names(item.kind);
         if known_for(&names, name).is_some() {
             return nearest(&names, name);
         }
