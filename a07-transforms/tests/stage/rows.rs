@@ -7,14 +7,14 @@ use a02_math::{Point3, Vector3};
 use a05_lighting::kinds::LIGHTS;
 use a07_transforms::kinds::KINDS;
 use common::Color;
-use scene_file::{Item, KINDS as TABLES, Key, SceneFile};
+use scene_file::{Form, Item, KINDS as TABLES, Key, Missing, Notation, SceneFile};
 
 use crate::scene_cases::{open, picture};
 
 /// The names of tables that are listed in the file, and not once. A repeat is no shape: its copies
 /// are uses.
 fn listed(is_light: bool) -> BTreeSet<&'static str> {
-    let tables = TABLES.iter().filter(|kind| kind.form.starts_with("[["));
+    let tables = TABLES.iter().filter(|kind| kind.notation == Notation::Many);
     let names = tables.map(|kind| kind.name);
     names
         .filter(|name| *name != "repeat")
@@ -48,7 +48,7 @@ fn no_light_is_brighter_than_its_bound_for_the_engine() {
             let mut state = seed;
             let mut lines = vec![format!("[[{}]]\ncolor = [1, 0.5, 0.25]", row.key)];
             for key in keys(row.key) {
-                let value = numbers(key.form, &mut state);
+                let value = numbers(&key.form, &mut state);
                 lines.push(format!("{} = {value}", key.name));
             }
             let text = lines.join("\n");
@@ -119,12 +119,12 @@ fn the_book_has_the_section_of_each_row() {
 fn keys(table: &str) -> Vec<Key> {
     let listed = TABLES.iter().find(|kind| kind.name == table);
     let mut keys = listed.expect(table).keys.clone();
-    keys.retain(|key| key.form.contains("number"));
+    keys.retain(|key| matches!(key.form, Form::Numbers { .. }));
     keys
 }
 
 /// Random numbers in the form of a key, such as `3 x 3 numbers`: distinct, and from 0.1 to 1.6.
-fn numbers(form: &str, seed: &mut u64) -> String {
+fn numbers(form: &Form, seed: &mut u64) -> String {
     let mut number = || {
         *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         format!(
@@ -132,17 +132,13 @@ fn numbers(form: &str, seed: &mut u64) -> String {
             0.1 + (*seed >> 33) as f64 / f64::from(1 << 30) * 0.75
         )
     };
-    let counts: Vec<usize> = form
-        .split(' ')
-        .filter_map(|word| word.parse().ok())
-        .collect();
-    match counts[..] {
-        [] => number(),
-        [count] => list(&mut number, count),
-        [rows, columns, ..] => {
-            let rows: Vec<_> = (0..rows).map(|_| list(&mut number, columns)).collect();
+    match form.lengths() {
+        Some([count]) => list(&mut number, *count),
+        Some([rows, columns]) => {
+            let rows: Vec<_> = (0..*rows).map(|_| list(&mut number, *columns)).collect();
             format!("[{}]", rows.join(", "))
         }
+        _ => number(),
     }
 }
 
@@ -156,8 +152,8 @@ fn scene(table: &str, seed: u64) -> String {
     let mut state = seed;
     let mut values = Vec::new();
     for key in keys(table) {
-        if key.missing.starts_with("needed") || seed % 2 == 1 {
-            values.push(format!("{} = {}", key.name, numbers(key.form, &mut state)));
+        if key.missing != Missing::Optional || seed % 2 == 1 {
+            values.push(format!("{} = {}", key.name, numbers(&key.form, &mut state)));
         }
     }
     let values = values.join("\n");

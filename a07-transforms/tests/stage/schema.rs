@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::{env, fs};
 
 use common::text;
-use scene_file::{KINDS, Key, Kind, Range, color_names};
+use scene_file::{FILE, Form, KINDS, Key, Kind, Missing, Notation, Range, color_names};
 
 #[test]
 fn the_schema_is_current() {
@@ -19,7 +19,7 @@ fn the_schema_is_current() {
 /// The schema (draft 7) of all kinds.
 fn schema() -> String {
     let definition = |kind: &Kind| format!("\"{}\": {{\n{}\n}}", kind.name, object(kind));
-    let mut definitions: Vec<_> = KINDS[1..].iter().map(definition).collect();
+    let mut definitions: Vec<_> = KINDS.iter().map(definition).collect();
     let names: Vec<_> = color_names().map(|name| format!("\"{name}\"")).collect();
     definitions.push(format!(
         "\"color_text\": {{\n\"anyOf\": [\n{{ \"type\": \"string\", \"pattern\": \
@@ -30,27 +30,30 @@ fn schema() -> String {
     format!(
         "{{\n\"$schema\": \"{draft}\",\n{},\n\"required\": [\"camera\"],\n\"definitions\": \
          {{\n{}\n}}\n}}\n",
-        object(&KINDS[0]),
+        object(&FILE),
         definitions.join(",\n")
     )
 }
 
 /// A table with the keys of a kind, and no others.
 fn object(kind: &Kind) -> String {
-    let is_file = kind.form.is_empty();
+    let is_file = kind.header.is_empty();
     let properties: Vec<_> = kind.keys.iter().map(|key| property(key, is_file)).collect();
     let mut parts = vec![
         r#""type": "object", "additionalProperties": false"#.to_owned(),
         format!("\"properties\": {{\n{}\n}}", properties.join(",\n")),
     ];
-    let needed = kind.keys.iter().filter(|key| key.missing == "needed");
+    let needed = kind
+        .keys
+        .iter()
+        .filter(|key| key.missing == Missing::Needed);
     let needed: Vec<_> = needed.map(|key| format!("\"{}\"", key.name)).collect();
     if !needed.is_empty() {
         parts.push(format!("\"required\": [{}]", needed.join(", ")));
     }
     let mut dependencies = Vec::new();
     for key in &kind.keys {
-        if let Some(other) = key.other_key("needed with ") {
+        if let Missing::NeededWith(other) = key.missing {
             dependencies.push(format!("\"{other}\": [\"{}\"]", key.name));
         }
         if key.name == "inverse" {
@@ -79,16 +82,16 @@ fn choices(kind: &Kind) -> Vec<String> {
     }
     let mut choices = Vec::new();
     for (index, key) in kind.keys.iter().enumerate() {
-        let Some(other) = key.other_key("needed, or ") else {
+        let Missing::NeededOr(other) = key.missing else {
             continue;
         };
-        let is_same_choice = |known: &Key| known.other_key("needed, or ") == Some(key.name);
+        let is_same_choice = |known: &Key| known.missing == Missing::NeededOr(key.name);
         if kind.keys[..index].iter().any(is_same_choice) {
             continue;
         }
         let is_other_needed = kind
             .key(other)
-            .is_some_and(|other| other.other_key("needed, or ").is_some());
+            .is_some_and(|other| matches!(other.missing, Missing::NeededOr(_)));
         let (one, other) = (required(key.name), required(other));
         choices.push(match (key.name, is_other_needed) {
             // The table around it may have the other one: see `property`.
@@ -107,30 +110,31 @@ fn required(key: &str) -> String {
 /// A key of a table. A shape that is in no other table has a surface of its own.
 fn property(key: &Key, is_of_file: bool) -> String {
     let has_shapes = |kind: &Kind| kind.key("sphere").is_some() || kind.name == "use";
-    let table = key.tables().map_or_else(String::new, |kind| {
-        let table = format!(r##""$ref": "#/definitions/{}""##, kind.name);
-        if is_of_file && kind.key("material").is_some() && !has_shapes(kind) {
-            let surface = ["color", "material"].map(required).join(", ");
-            format!("\"allOf\": [{{ {table} }}, {{ \"anyOf\": [{surface}] }}]")
-        } else {
-            table
-        }
-    });
     let form = match key.form {
-        "text" => r#""type": "string""#.to_owned(),
-        "true or false" => r#""type": "boolean""#.to_owned(),
-        "color" => format!(
+        Form::Text => r#""type": "string""#.to_owned(),
+        Form::Flag => r#""type": "boolean""#.to_owned(),
+        Form::Color => format!(
             r##""anyOf": [{{ {} }}, {{ "$ref": "#/definitions/color_text" }}]"##,
-            numbers("3 numbers", key)
+            numbers(key)
         ),
-        form if form.ends_with(".NAME]") => {
-            format!(r#""type": "object", "additionalProperties": {{ {table} }}"#)
+        Form::Numbers { .. } => numbers(key),
+        Form::Tables(name) => {
+            let kind = KINDS.iter().find(|kind| kind.name == name).expect(name);
+            let mut table = format!(r##""$ref": "#/definitions/{name}""##);
+            if is_of_file && kind.key("material").is_some() && !has_shapes(kind) {
+                let surface = ["color", "material"].map(required).join(", ");
+                table = format!("\"allOf\": [{{ {table} }}, {{ \"anyOf\": [{surface}] }}]");
+            }
+            match kind.notation {
+                Notation::Single => table,
+                Notation::Named => {
+                    format!(r#""type": "object", "additionalProperties": {{ {table} }}"#)
+                }
+                Notation::Many | Notation::Inline => {
+                    format!(r#""type": "array", "items": {{ {table} }}"#)
+                }
+            }
         }
-        form if form.starts_with("[[") || form.starts_with('{') => {
-            format!(r#""type": "array", "items": {{ {table} }}"#)
-        }
-        form if form.starts_with('[') => table,
-        form => numbers(form, key),
     };
     match key.about {
         "" => format!(r#""{}": {{ {form} }}"#, key.name),
@@ -138,9 +142,9 @@ fn property(key: &Key, is_of_file: bool) -> String {
     }
 }
 
-/// Numbers of this form, within the range of a key.
-fn numbers(form: &str, key: &Key) -> String {
-    let kind = if form.contains("whole") {
+/// The numbers of a key.
+fn numbers(key: &Key) -> String {
+    let kind = if key.form.is_whole() {
         "integer"
     } else {
         "number"
@@ -150,7 +154,7 @@ fn numbers(form: &str, key: &Key) -> String {
         least,
         greatest,
         is_open,
-    } = key.limits();
+    } = key.range;
     let open = if is_open { "exclusiveM" } else { "m" };
     if least.is_finite() {
         let _ = write!(number, r#", "{open}inimum": {}"#, text::number(least));
@@ -158,9 +162,8 @@ fn numbers(form: &str, key: &Key) -> String {
     if greatest.is_finite() {
         let _ = write!(number, r#", "{open}aximum": {}"#, text::number(greatest));
     }
-    let lengths = form.split(' ').rev();
-    let lengths = lengths.filter_map(|word| word.parse::<u8>().ok());
-    lengths.fold(number, |row, n| {
+    let lengths = key.form.lengths().unwrap_or_default().iter();
+    lengths.rev().fold(number, |row, n| {
         let length = format!(r#""minItems": {n}, "maxItems": {n}"#);
         format!(r#""type": "array", {length}, "items": {{ {row} }}"#)
     })

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use common::sensitivity::Unit;
 use common::{ArgumentError, Color, Transfer, text};
 
 use crate::error::nearest;
-use crate::{Error, Key, Kind, Mesh};
+use crate::{Error, Kind, Mesh, Missing};
 
 /// A value in the form that its key has.
 #[derive(Clone, Debug)]
@@ -164,10 +165,10 @@ impl Item {
     #[must_use]
     pub fn lacks(&self, key: &str) -> Error {
         let known = self.kind.key(key);
-        let form = known.map_or_else(String::new, Key::needed);
-        let other = known.and_then(|known| {
-            let instead = known.other_key("instead of ");
-            instead.or_else(|| known.other_key("needed, or "))
+        let form = known.map_or_else(String::new, |known| known.form.words());
+        let other = known.and_then(|known| match known.missing {
+            Missing::InsteadOf(other) | Missing::NeededOr(other) => Some(other),
+            _ => None,
         });
         let kind = self.kind.name;
         let text = match other {
@@ -210,8 +211,8 @@ impl Item {
                 key => key,
             };
             // Constructors take radians.
-            let degrees = |key: &&Key| key.about.contains("degrees");
-            let text = match self.kind.key(key).filter(degrees) {
+            let known = self.kind.key(key);
+            let text = match known.filter(|key| key.unit == Some(Unit::Degree)) {
                 Some(angle) => format!("{}: {key} must be {}", self.kind.name, angle.about),
                 None if key == "up" && self.find(key).is_none() => {
                     format!("camera without up: {error}; add up, such as up = [0, 0, -1]")

@@ -3,166 +3,151 @@
 
 use std::sync::LazyLock;
 
-use common::sensitivity::Unit;
-
-use crate::Range;
+use crate::{Form, Key, Missing, Range};
 
 /// A kind of tables.
 #[derive(Debug)]
 pub struct Kind {
     /// Its name.
     pub name: &'static str,
-    /// The form of its tables, such as `[camera]`, `[material.NAME]` or `[[sphere]]`.
-    pub form: &'static str,
+    /// The header of its tables, such as `[camera]`, `[material.NAME]` or `[[sphere]]`; empty for
+    /// the scene file itself.
+    pub header: &'static str,
+    /// How its tables are written.
+    pub notation: Notation,
     /// Its keys.
     pub keys: Vec<Key>,
 }
 
-/// A key of a table.
-#[derive(Clone, Copy, Debug)]
-pub struct Key {
-    /// Its name.
-    pub name: &'static str,
-    /// The form of its value: `3 numbers`, `color`, `text`, or that of its tables.
-    pub form: &'static str,
-    /// The unit of its numbers; none if it has no numbers.
-    pub unit: Option<Unit>,
-    /// The range of its numbers, as [`Range::parse`] reads it; empty if it is no interval.
-    pub range: &'static str,
-    /// What a missing key means: `needed`, `needed, or` another key, `needed with` another key,
-    /// `instead of` another key, or the value that it then has.
-    pub missing: &'static str,
-    /// The first stage that knows it.
-    pub stage: u8,
-    /// Its meaning and unit.
-    pub about: &'static str,
+/// How the tables of a kind are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Notation {
+    /// `[camera]`, at most once.
+    Single,
+    /// `[material.NAME]`, each with a name of its own.
+    Named,
+    /// `[[sphere]]`, any number of times.
+    Many,
+    /// `{ step }`, in a list that is the value of a key.
+    Inline,
 }
 
 impl Kind {
+    /// A kind without keys.
+    fn new(header: &'static str) -> Self {
+        Self {
+            name: name(header),
+            header,
+            notation: match header {
+                header if header.ends_with(".NAME]") => Notation::Named,
+                header if header.starts_with("[[") => Notation::Many,
+                header if header.starts_with('{') => Notation::Inline,
+                _ => Notation::Single,
+            },
+            keys: Vec::new(),
+        }
+    }
+
     /// The key of this name.
     #[must_use]
     pub fn key(&self, name: &str) -> Option<&Key> {
         self.keys.iter().find(|key| key.name == name)
     }
-}
 
-impl Key {
-    /// The kind of its tables; none if its value is no table.
-    #[must_use]
-    pub fn tables(&self) -> Option<&'static Kind> {
-        KINDS.iter().find(|kind| kind.form == self.form)
+    /// Whether shapes stand in its tables: in the scene file itself, in groups, definitions and
+    /// repeats.
+    pub(crate) fn has_shapes(&self) -> bool {
+        self.header.is_empty() || WITH_SHAPES.contains(&self.name)
     }
 
-    /// The range of its numbers.
-    #[must_use]
-    pub fn limits(&self) -> Range {
-        Range::parse(self.range)
+    /// Whether its tables stand where shapes do.
+    fn is_shape(&self) -> bool {
+        self.notation == Notation::Many && !self.name.ends_with("_light")
     }
 
-    /// The other key in what a missing key means, behind these words.
-    #[must_use]
-    pub fn other_key(&self, words: &str) -> Option<&'static str> {
-        let other = self.missing.strip_prefix(words)?;
-        Some(other.trim_matches([' ', '`']))
-    }
-
-    /// The form of its value, in words.
-    #[must_use]
-    pub fn needed(&self) -> String {
-        match self.form {
-            "color" => "a color, such as [1, 0.5, 0], \"#ff8000\" or \"orange\"".to_owned(),
-            "number" => "a finite number".to_owned(),
-            "whole number" => "a whole number from 1".to_owned(),
-            "text" => "a text in quotation marks".to_owned(),
-            "true or false" => self.form.to_owned(),
-            "{ step }" => "a list of steps, such as [{ scale = [1, 2, 1] }]".to_owned(),
-            table if table.starts_with('[') => format!("a table: {table}"),
-            form if form.contains("whole") => format!("a list of {form} from 1"),
-            form => format!("a list of {form}, all of them finite"),
+    /// The key of the tables around it: it is known from the stage of its first key on.
+    fn as_key(&self) -> Key {
+        Key {
+            name: self.name,
+            form: Form::Tables(self.name),
+            unit: None,
+            range: Range::ALL,
+            missing: Missing::Optional,
+            stage: self.keys.first().map_or(0, |key| key.stage),
+            about: "",
         }
     }
-}
-
-/// Whether tables of this form are shapes, or hold some.
-fn are_shapes(form: &str) -> bool {
-    form.starts_with("[[") && !form.ends_with("_light]]") || form == "[define.NAME]"
 }
 
 /// The tables in which shapes stand, besides the scene file itself.
 const WITH_SHAPES: [&str; 3] = ["group", "define", "repeat"];
 
-/// Whether shapes stand in tables of this kind: in the scene file itself, in groups, definitions
-/// and repeats.
-pub(crate) fn has_shapes(kind: &Kind) -> bool {
-    kind.form.is_empty() || WITH_SHAPES.contains(&kind.name)
+/// The name of the tables with this header.
+pub(crate) fn name(header: &str) -> &str {
+    let name = header.trim_matches(['[', ']', '{', '}', ' ']);
+    name.trim_end_matches(".NAME")
 }
 
-/// The unit of a word of `keys.md`. A direction has its length where its numbers are known.
-fn unit(word: &str) -> Option<Unit> {
-    match word {
-        "length" => Some(Unit::Length),
-        "degree" => Some(Unit::Degree),
-        "direction" => Some(Unit::Direction(1.0)),
-        "factor" => Some(Unit::Factor),
-        "scale" => Some(Unit::Scale),
-        "channel" => Some(Unit::Channel),
-        "whole" => Some(Unit::Whole),
-        _ => None,
-    }
+/// The kind of this name, which the list has.
+pub(crate) fn find(name: &str) -> &'static Kind {
+    let found = KINDS.iter().find(|kind| kind.name == name);
+    found.unwrap_or(&FILE)
 }
 
-/// The scene file itself, whose keys are the other kinds, and these in the order of the list.
+/// The tables and keys of the list; none for a row that cannot be read.
+fn rows() -> impl Iterator<Item = Option<(&'static str, Key)>> {
+    include_str!("keys.md").lines().skip(2).map(Key::parse)
+}
+
+/// The kinds of tables, in the order of the list.
 pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
-    let mut kinds = vec![Kind {
-        name: "a scene file",
-        form: "",
-        keys: Vec::new(),
-    }];
-    for row in include_str!("keys.md").lines().skip(2) {
-        let mut cells = row.split('|').skip(1);
-        let mut cell = || cells.next().unwrap_or_default().trim();
-        let [table, name, form] = [cell(), cell(), cell()].map(|cell| cell.trim_matches('`'));
-        let key = Key {
-            name,
-            form,
-            unit: unit(cell()),
-            range: cell(),
-            missing: cell(),
-            stage: cell().parse().unwrap_or(0),
-            about: cell(),
-        };
-        if table == "every shape" {
-            let shapes = kinds.iter_mut().filter(|kind| are_shapes(kind.form));
-            let without = shapes.filter(|kind| kind.key(name).is_none());
-            without.for_each(|kind| kind.keys.push(key));
-        } else if let Some(known) = kinds.iter_mut().find(|kind| kind.form == table) {
-            known.keys.push(key);
-        } else {
-            let name = table.trim_matches(['[', ']', '{', '}', ' ']);
-            let name = name.trim_end_matches(".NAME");
-            let form = table;
-            // Steps stand in a transform only.
-            if name != "step" {
-                let key = Key {
-                    name,
-                    form,
-                    unit: None,
-                    range: "",
-                    missing: "",
-                    about: "",
-                    ..key
-                };
-                kinds[0].keys.push(key);
+    let mut kinds: Vec<Kind> = Vec::new();
+    for (header, key) in rows().flatten() {
+        if header == "every shape" {
+            for kind in &mut kinds {
+                let has_surface = kind.is_shape() || kind.name == "define";
+                if has_surface && kind.key(key.name).is_none() {
+                    kind.keys.push(key.clone());
+                }
             }
-            let keys = vec![key];
-            kinds.push(Kind { name, form, keys });
+            continue;
+        }
+        if kinds.iter().all(|kind| kind.header != header) {
+            kinds.push(Kind::new(header));
+        }
+        let with_header = kinds.iter_mut().filter(|kind| kind.header == header);
+        with_header.for_each(|kind| kind.keys.push(key.clone()));
+    }
+    let shapes = kinds.iter().filter(|kind| kind.is_shape());
+    let shapes: Vec<_> = shapes.map(Kind::as_key).collect();
+    for kind in &mut kinds {
+        if WITH_SHAPES.contains(&kind.name) {
+            kind.keys.extend_from_slice(&shapes);
         }
     }
-    let mut shapes = kinds[0].keys.clone();
-    shapes.retain(|key| key.form.starts_with("[[") && are_shapes(key.form));
-    let groups = kinds
-        .iter_mut()
-        .filter(|kind| WITH_SHAPES.contains(&kind.name));
-    groups.for_each(|group| group.keys.extend(&shapes));
     kinds
 });
+
+/// The scene file itself, whose keys are the kinds of tables. Steps stand in a transform only.
+pub static FILE: LazyLock<Kind> = LazyLock::new(|| {
+    let tables = KINDS
+        .iter()
+        .filter(|kind| kind.notation != Notation::Inline);
+    Kind {
+        name: "a scene file",
+        keys: tables.map(Kind::as_key).collect(),
+        ..Kind::new("")
+    }
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_of_the_list_is_read() {
+        for (number, row) in (3..).zip(rows()) {
+            assert!(row.is_some(), "keys.md:{number}");
+        }
+    }
+}

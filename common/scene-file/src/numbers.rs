@@ -2,15 +2,14 @@
 
 use toml::de::DeValue;
 
-/// Finite numbers in a form such as `3 x 4 numbers`, or from 1 in one such as `2 whole numbers`;
-/// none if the value has another form.
-pub fn numbers(value: &DeValue, form: &str) -> Option<Vec<f64>> {
-    let words = form.split_at(form.find("number")?).0.split_whitespace();
-    let lengths: Vec<_> = words.filter_map(|word| word.parse().ok()).collect();
+use crate::Form;
+
+/// Finite numbers in this form, from 1 if they are whole; none if the value has another form.
+pub fn numbers(value: &DeValue, form: &Form) -> Option<Vec<f64>> {
     let mut numbers = Vec::new();
-    add_numbers(value, &lengths, &mut numbers)?;
+    add_numbers(value, form.lengths()?, &mut numbers)?;
     let is_whole = |n: &f64| n.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(n);
-    let is_right = !form.contains("whole") || numbers.iter().all(is_whole);
+    let is_right = !form.is_whole() || numbers.iter().all(is_whole);
     is_right.then_some(numbers)
 }
 

@@ -4,17 +4,17 @@ mod known_key;
 
 use std::sync::Arc;
 
+use common::sensitivity::Unit;
 use common::{Color, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::color_text;
-use crate::kind::has_shapes;
 use crate::mistake::BACKSLASH;
 use crate::numbers::numbers;
 use crate::scene_file::Meshes;
 use crate::uses::{self, MOST_COPIES, MOST_LEVELS, too_deep};
-use crate::{Data, Error, Item, Key, Kind};
+use crate::{Data, Error, Form, Item, Key, Kind, Missing, Notation, kind};
 
 /// Reads tables, and keeps the first mistake in them.
 pub struct Reader<'a> {
@@ -78,16 +78,17 @@ impl Reader<'_> {
                     continue;
                 }
             };
-            let Some(kind) = key.tables() else {
+            let Form::Tables(kind) = key.form else {
                 match self.data(item.kind, key, value) {
                     Ok(data) => item.values.push((key.name, value.span().start, data)),
                     Err(error) => self.keep(error),
                 }
                 continue;
             };
-            let is_outermost = item.kind.form.is_empty();
-            let level = level + usize::from(has_shapes(item.kind) && !is_outermost);
-            match self.tables(key, value) {
+            let kind = kind::find(kind);
+            let is_outermost = item.kind.header.is_empty();
+            let level = level + usize::from(item.kind.has_shapes() && !is_outermost);
+            match self.tables(kind, key, value) {
                 Ok(tables) => {
                     for (name, value) in tables {
                         let DeValue::Table(table) = value.get_ref() else {
@@ -127,14 +128,16 @@ impl Reader<'_> {
     /// Keeps the mistakes of keys of which one stands instead of another, or is needed with it.
     fn check_keys_together(&mut self, item: &Item) {
         for key in &item.kind.keys {
-            let is_there = item.find(key.name).is_some();
-            let has = |other: &&str| item.find(other).is_some();
-            if is_there && let Some(other) = key.other_key("instead of ").filter(has) {
-                let (kind, key) = (item.kind.name, key.name);
-                self.keep(item.error(key, format!("{kind} takes {other} or {key}, not both")));
-            }
-            if !is_there && key.other_key("needed with ").as_ref().is_some_and(has) {
-                self.keep(item.lacks(key.name));
+            let has = |name| item.find(name).is_some();
+            match key.missing {
+                Missing::InsteadOf(other) if has(key.name) && has(other) => {
+                    let (kind, key) = (item.kind.name, key.name);
+                    self.keep(item.error(key, format!("{kind} takes {other} or {key}, not both")));
+                }
+                Missing::NeededWith(other) if !has(key.name) && has(other) => {
+                    self.keep(item.lacks(key.name));
+                }
+                _ => {}
             }
         }
     }
@@ -170,18 +173,19 @@ impl Reader<'_> {
         }
     }
 
-    /// The tables of a key, with their names.
+    /// The tables of a kind that are the value of a key, with their names.
     fn tables<'a>(
         &self,
+        kind: &Kind,
         key: &'a Key,
         value: &'a Spanned<DeValue<'a>>,
     ) -> Result<Vec<(&'a str, &'a Spanned<DeValue<'a>>)>, Error> {
-        let are_in_list = key.form.starts_with("[[") || key.form == "{ step }";
+        let are_in_list = matches!(kind.notation, Notation::Many | Notation::Inline);
         match value.get_ref() {
             DeValue::Array(list) if are_in_list => {
                 Ok(list.iter().map(|table| (key.name, table)).collect())
             }
-            DeValue::Table(tables) if key.form.ends_with(".NAME]") => {
+            DeValue::Table(tables) if kind.notation == Notation::Named => {
                 let tables = tables.iter();
                 Ok(tables
                     .map(|(name, table)| (&**name.get_ref(), table))
@@ -216,22 +220,21 @@ impl Reader<'_> {
 
     /// The value of a key of a table of a kind.
     fn data(&self, kind: &Kind, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
-        match (key.form, value.get_ref()) {
-            ("text", DeValue::String(file)) if key.name == "file" => {
+        match (&key.form, value.get_ref()) {
+            (Form::Text, DeValue::String(file)) if key.name == "file" => {
                 let mesh = (self.meshes)(file);
                 let mut mesh = mesh.map_err(|reason| self.cannot_read(file, &reason, value))?;
                 mesh.file = file.to_string();
                 Ok(Data::Mesh(Arc::new(mesh)))
             }
-            ("text", DeValue::String(text)) => Ok(Data::Text(text.to_string())),
-            ("true or false", DeValue::Boolean(flag)) => Ok(Data::Flag(*flag)),
-            ("color", DeValue::String(color)) => {
+            (Form::Text, DeValue::String(text)) => Ok(Data::Text(text.to_string())),
+            (Form::Flag, DeValue::Boolean(flag)) => Ok(Data::Flag(*flag)),
+            (Form::Color, DeValue::String(color)) => {
                 let bytes = color_text::bytes(color).map_err(|reason| error(value, reason))?;
                 let linear = Color::from_bytes(bytes).channels();
                 Ok(Data::Bytes(bytes, linear))
             }
             (form, numbers) => {
-                let form = if form == "color" { "3 numbers" } else { form };
                 let numbers = self::numbers(numbers, form).ok_or_else(|| wrong(key, value))?;
                 check_range(kind, key, &numbers).map_err(|text| error(value, text))?;
                 Ok(Data::Numbers(numbers))
@@ -257,13 +260,12 @@ impl Reader<'_> {
 
 /// Whether all numbers are within the range of a key. The error is a clause.
 fn check_range(kind: &Kind, key: &Key, numbers: &[f64]) -> Result<(), String> {
-    let range = key.limits();
-    let Some(beyond) = numbers.iter().find(|number| !range.contains(**number)) else {
+    let Some(beyond) = numbers.iter().find(|number| !key.range.contains(**number)) else {
         return Ok(());
     };
     let (kind, name) = (kind.name, key.name);
-    let (beyond, range) = (text::number(*beyond), range.words());
-    let degrees = if key.about.contains("in degrees") {
+    let (beyond, range) = (text::number(*beyond), key.range.words());
+    let degrees = if key.unit == Some(Unit::Degree) {
         ", in degrees"
     } else {
         ""
@@ -292,6 +294,6 @@ fn wrong(key: &Key, value: &Spanned<DeValue>) -> Error {
         DeValue::String(text) if is_number(text) => ", without quotation marks",
         _ => "",
     };
-    let (name, needed) = (key.name, key.needed());
+    let (name, needed) = (key.name, key.form.words());
     error(value, format!("{name} must be {needed}{quoted}{behind}"))
 }

@@ -7,7 +7,7 @@ use toml::de::DeTable;
 
 use crate::mistake::mistake;
 use crate::reader::Reader;
-use crate::{Error, FirstMistake, Item, KINDS, Mesh, uses};
+use crate::{Error, FILE, FirstMistake, Item, Mesh, kind, uses};
 
 /// Reads the mesh of this name, beside the scene file. The error is one clause.
 pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
@@ -45,12 +45,12 @@ impl SceneFile {
     pub fn read(text: &str, stage: u8, meshes: Meshes) -> Result<Self, Error> {
         let table = DeTable::parse(text).map_err(|error| mistake(text, &error))?;
         let mut reader = Reader::new(text, stage, meshes);
-        let tables = reader.item(&KINDS[0], "", 0, table.get_ref(), 0).tables;
-        let missing = |kind: usize| Item::new(&KINDS[kind], "", 0);
+        let tables = reader.item(&FILE, "", 0, table.get_ref(), 0).tables;
+        let missing = |name| Item::new(kind::find(name), "", 0);
         let mut file = Self {
-            picture: missing(1),
-            camera: missing(2),
-            world: missing(3),
+            picture: missing("picture"),
+            camera: missing("camera"),
+            world: missing("world"),
             materials: Vec::new(),
             lights: Vec::new(),
             shapes: Vec::new(),

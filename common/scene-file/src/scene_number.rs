@@ -9,7 +9,7 @@ use std::ops::Range as Bytes;
 use common::Transfer;
 use common::sensitivity::{NumberPlace, Unit};
 
-use crate::{Data, Item, Key, SceneFile};
+use crate::{Data, Form, Item, Key, SceneFile};
 use written::{Lines, Written};
 
 impl SceneFile {
@@ -115,7 +115,6 @@ fn add_numbers(
         };
         for (index, (value, bytes)) in values.iter().zip(parts).enumerate() {
             let [(line, start), (_, end)] = [bytes.start, bytes.end].map(|at| lines.place(at));
-            let range = key.limits();
             numbers.push(NumberPlace {
                 line,
                 columns: start..end,
@@ -123,10 +122,10 @@ fn add_numbers(
                 at: *at,
                 index,
                 table: found.table.clone(),
-                key: found.key.clone() + part(key, index),
+                key: found.key.clone() + &part(&key.form, index),
                 value: *value,
                 unit: unit(key, values),
-                allowed: [range.least, range.greatest],
+                allowed: [key.range.least, key.range.greatest],
             });
         }
     }
@@ -135,22 +134,17 @@ fn add_numbers(
     }
 }
 
-/// The name of a number of a key, behind the key.
-fn part(key: &Key, index: usize) -> &'static str {
-    let names: &[&str] = match key.form {
-        "color" => &[" red", " green", " blue"],
-        "3 numbers" => &[" x", " y", " z"],
-        "2 whole numbers" => &[" 1", " 2"],
-        "3 x 3 numbers" => &[
-            " 1 x", " 1 y", " 1 z", " 2 x", " 2 y", " 2 z", " 3 x", " 3 y", " 3 z",
-        ],
-        "3 x 4 numbers" => &[
-            " 1,1", " 1,2", " 1,3", " 1,4", " 2,1", " 2,2", " 2,3", " 2,4", " 3,1", " 3,2", " 3,3",
-            " 3,4",
-        ],
-        _ => &[],
-    };
-    names.get(index).copied().unwrap_or_default()
+/// The name of a number of a value, behind the key.
+fn part(form: &Form, index: usize) -> String {
+    let (row, axis) = (index / 3 + 1, ["x", "y", "z"][index % 3]);
+    match (form, form.lengths()) {
+        (Form::Color, _) => format!(" {}", ["red", "green", "blue"][index % 3]),
+        (_, Some([3])) => format!(" {axis}"),
+        (_, Some([_, 3])) => format!(" {row} {axis}"),
+        (_, Some([_, columns])) => format!(" {},{}", index / columns + 1, index % columns + 1),
+        (_, Some([_])) => format!(" {}", index + 1),
+        _ => String::new(),
+    }
 }
 
 /// The unit of the numbers of a key, which have these values.

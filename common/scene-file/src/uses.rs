@@ -6,7 +6,7 @@
 use common::text;
 
 use crate::error::nearest;
-use crate::{Data, Error, Item, KINDS, Kind};
+use crate::{Data, Error, Item, kind};
 
 /// Most groups, repeats, uses and transforms inside each other.
 pub const MOST_LEVELS: usize = 32;
@@ -27,7 +27,7 @@ pub fn copies(repeat: &Item, definition: usize) -> Vec<Item> {
         let numbers = numbers.map(|number| f64::from(i) * number);
         Item {
             values: vec![(key, at(key), Data::Numbers(numbers.to_vec()))],
-            ..Item::new(kind("step"), "", at(key))
+            ..Item::new(kind::find("step"), "", at(key))
         }
     };
     let copy = |i: u32| {
@@ -36,16 +36,10 @@ pub fn copies(repeat: &Item, definition: usize) -> Vec<Item> {
         Item {
             tables: translate.into_iter().chain(rotate).collect(),
             used: Some(definition),
-            ..Item::new(kind("use"), "", repeat.at)
+            ..Item::new(kind::find("use"), "", repeat.at)
         }
     };
     (0..count as u32).map(copy).collect()
-}
-
-/// The kind of this name, which the list of keys has.
-fn kind(name: &str) -> &'static Kind {
-    let found = KINDS.iter().find(|kind| kind.name == name);
-    found.unwrap_or(&KINDS[0])
 }
 
 /// Gives each use in these shapes and definitions the index of its definition. The error is a

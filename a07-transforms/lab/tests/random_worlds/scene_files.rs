@@ -19,8 +19,10 @@ fn random_files_have_every_key() {
     let files: Vec<_> = (0..50).map(|seed| Written::new(seed).scene).collect();
     let all = files.concat();
     // The settings of a picture are those of the tests.
-    for key in KINDS[2..].iter().flat_map(|kind| &kind.keys) {
-        let is_there = key.form.starts_with('[') || all.contains(&format!("{} = ", key.name));
+    let kinds = KINDS.iter().filter(|kind| kind.name != "picture");
+    for key in kinds.flat_map(|kind| &kind.keys) {
+        // Tables in a table have no meaning of their own.
+        let is_there = key.about.is_empty() || all.contains(&format!("{} = ", key.name));
         assert!(is_there, "{}", key.name);
     }
 }

@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 
 use super::WrittenShape;
 use crate::phrases::number;
-use crate::{KINDS, Phrases};
+use crate::{Phrases, kind};
 
 /// The smallest distance between two of a triangle's unit normals that is written for a language
 /// in which a triangle of equal normals is flat.
@@ -117,23 +117,18 @@ fn line(shape: &WrittenShape, name: &str, numbers: &[f64]) -> String {
         let numbers: Vec<_> = numbers.iter().map(|n| number(*n)).collect();
         numbers.join(", ")
     };
-    let mut kinds = KINDS.iter();
-    let kind = kinds.find(|kind| Some(kind.name) == shape.key);
-    let key = kind.and_then(|kind| kind.key(name));
-    let form = key.map_or("", |key| key.form);
-    // Such as `3 x 4 numbers`.
-    let rows = form.split_once(" x ");
-    let columns = rows.and_then(|(_, columns)| columns.split(' ').next()?.parse().ok());
-    let value = match (columns, numbers) {
-        (Some(columns), _) => {
+    let kind = kind::find(shape.key.unwrap_or_default());
+    let lengths = kind.key(name).and_then(|key| key.form.lengths());
+    let value = match (lengths, numbers) {
+        (Some([_, columns]), _) => {
             let rows: Vec<_> = numbers
-                .chunks(columns)
+                .chunks(*columns)
                 .map(|row| format!("[{}]", list(row)))
                 .collect();
             format!("[{}]", rows.join(", "))
         }
-        (None, [one]) => number(*one),
-        (None, many) => format!("[{}]", list(many)),
+        (_, [one]) => number(*one),
+        (_, many) => format!("[{}]", list(many)),
     };
     format!("{name} = {value}\n")
 }

@@ -7,7 +7,7 @@ use toml::de::DeString;
 use super::{Reader, error};
 use crate::error::nearest;
 use crate::synonyms::known_for;
-use crate::{Error, Item, KINDS, Key, Kind};
+use crate::{Error, Item, KINDS, Key, Kind, Notation, kind};
 
 impl Reader<'_> {
     /// The key of a table that has this name, if the stage knows it.
@@ -45,10 +45,8 @@ impl Reader<'_> {
         if known_for(&names, name).is_some() {
             return nearest(&names, name);
         }
-        if names.contains(&"transform")
-            && let Some(step) = KINDS.iter().find(|kind| kind.name == "step")
-        {
-            let steps = self.names(step);
+        if names.contains(&"transform") {
+            let steps = self.names(kind::find("step"));
             if let Some(step) = known_for(&steps, name) {
                 let value = match step {
                     "translate" => "[0, 1, 0]",
@@ -66,19 +64,19 @@ impl Reader<'_> {
             return format!("; write [[{name}.{}]]", item.kind.name);
         }
         // A key of the camera at the top of the file, or one of a shape below a material.
-        for owner in &KINDS[1..] {
-            if self.names(owner).contains(&name) && !owner.form.starts_with("[[") {
+        for owner in &*KINDS {
+            if self.names(owner).contains(&name) && owner.notation != Notation::Many {
                 return match owner.name {
                     "define" => header_missing("[[group]]", item),
                     "step" => nearest(&names, name),
-                    _ => format!("; {} has it", owner.form),
+                    _ => format!("; {} has it", owner.header),
                 };
             }
         }
         if !names.contains(&"color") && item.kind.name != "step" {
-            for owner in &KINDS[1..] {
+            for owner in &*KINDS {
                 if self.names(owner).contains(&name) {
-                    return header_missing(owner.form, item);
+                    return header_missing(owner.header, item);
                 }
             }
         }
@@ -88,7 +86,7 @@ impl Reader<'_> {
 
 /// The end of the error of a key that belongs to another table than the one before it.
 fn header_missing(header: &str, above: &Item) -> String {
-    let above = above.kind.form.replace("NAME", &text::name(&above.name));
+    let above = above.kind.header.replace("NAME", &text::name(&above.name));
     let below = if above.is_empty() { "" } else { " below " };
     format!("; a header such as {header} is missing{below}{above}")
 }

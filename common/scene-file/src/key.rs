@@ -1,0 +1,92 @@
+//! `Key`: a row of `keys.md`.
+
+use common::sensitivity::Unit;
+
+use crate::{Form, Range};
+
+/// A key of a table.
+#[derive(Clone, Debug)]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// The form of its value.
+    pub form: Form,
+    /// The unit of its numbers; none if it has no numbers.
+    pub unit: Option<Unit>,
+    /// The range of its numbers.
+    pub range: Range,
+    /// What a missing key means.
+    pub missing: Missing,
+    /// The first stage that knows it.
+    pub stage: u8,
+    /// Its meaning and unit.
+    pub about: &'static str,
+}
+
+/// What a missing key means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// A mistake.
+    Needed,
+    /// A mistake, if this other key is missing, too.
+    NeededOr(&'static str),
+    /// A mistake, if this other key is there.
+    NeededWith(&'static str),
+    /// No mistake: the key stands instead of this other one.
+    InsteadOf(&'static str),
+    /// No mistake: there is a value for it.
+    Optional,
+}
+
+impl Key {
+    /// The table and the key of a row; none if a cell has no meaning.
+    pub(crate) fn parse(row: &'static str) -> Option<(&'static str, Self)> {
+        let mut cells = row.split('|').skip(1).map(str::trim);
+        let mut cell = || cells.next();
+        let [table, name, form] = [cell()?, cell()?, cell()?].map(|cell| cell.trim_matches('`'));
+        let key = Self {
+            name,
+            form: Form::parse(form)?,
+            unit: match cell()? {
+                "" => None,
+                word => Some(unit(word)?),
+            },
+            range: Range::parse(cell()?)?,
+            missing: Missing::parse(cell()?),
+            stage: cell()?.parse().ok()?,
+            about: cell()?,
+        };
+        Some((table, key))
+    }
+}
+
+/// The unit of a word. A direction has its length where its numbers are known.
+fn unit(word: &str) -> Option<Unit> {
+    match word {
+        "length" => Some(Unit::Length),
+        "degree" => Some(Unit::Degree),
+        "direction" => Some(Unit::Direction(1.0)),
+        "factor" => Some(Unit::Factor),
+        "scale" => Some(Unit::Scale),
+        "channel" => Some(Unit::Channel),
+        "whole" => Some(Unit::Whole),
+        _ => None,
+    }
+}
+
+impl Missing {
+    fn parse(text: &'static str) -> Self {
+        let other = |words| Some(text.strip_prefix(words)?.trim_matches('`'));
+        if text == "needed" {
+            Self::Needed
+        } else if let Some(other) = other("needed, or ") {
+            Self::NeededOr(other)
+        } else if let Some(other) = other("needed with ") {
+            Self::NeededWith(other)
+        } else if let Some(other) = other("instead of ") {
+            Self::InsteadOf(other)
+        } else {
+            Self::Optional
+        }
+    }
+}
