@@ -6,7 +6,6 @@ mod files;
 mod forgotten;
 mod include;
 mod left_over;
-mod lessons;
 mod recorded;
 mod way_of_a_ray;
 mod who_passes;
@@ -31,10 +30,8 @@ macro_rules! checks {
 checks! {
     every_page_picture_and_file_is_reached: left_over::complaints;
     every_listing_shows_something: include::complaints;
-    lessons_name_nothing_but_the_lesson: lessons::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
-    each_described_type_has_a_row: forgotten::types_without_a_row;
-    each_file_of_tests_is_compiled: forgotten::tests_without_a_name;
+    each_file_of_tests_is_compiled: forgotten::complaints;
     each_anchor_has_a_figure: recorded::anchors;
     the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }
