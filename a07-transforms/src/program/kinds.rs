@@ -151,7 +151,7 @@ fn matrix([x, y, z]: [[f64; 4]; 3]) -> Mat4x4 {
 
 /// Largest difference of the product of a matrix and its inverse from the identity. Rounding
 /// keeps it below this, unless the matrix has nearly no inverse.
-const LARGEST_DIFFERENCE: f64 = 1e-6;
+const MAX_DIFFERENCE: f64 = 1e-6;
 
 /// The inverse of a matrix: that of the step, or else computed.
 fn inverse(step: &Item, rows: Mat4x4) -> Result<Mat4x4, Error> {
@@ -166,10 +166,10 @@ fn inverse(step: &Item, rows: Mat4x4) -> Result<Mat4x4, Error> {
         0.0,
         |most, next| if is_worse(next, most) { next } else { most },
     );
-    if largest <= LARGEST_DIFFERENCE {
+    if largest <= MAX_DIFFERENCE {
         return Ok(Mat4x4::from_rows(inverse.transpose().to_cols_array_2d()));
     }
-    let [off, most] = [largest, LARGEST_DIFFERENCE].map(|number| digits(&[number]));
+    let [off, most] = [largest, MAX_DIFFERENCE].map(|number| digits(&[number]));
     Err(if given.is_some() {
         let text = format!(
             "the inverse does not fit the matrix: their product differs by {off} from the \

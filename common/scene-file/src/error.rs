@@ -5,7 +5,7 @@ use common::text;
 use crate::synonyms::known_for;
 
 /// Most letters of the known names in an error.
-const LONGEST_LIST: usize = 250;
+const MAX_LISTED: usize = 250;
 
 /// A mistake in a scene file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ pub(crate) fn nearest(known: &[&str], name: &str) -> String {
         return format!("; the nearest is {}", text::name(nearest));
     }
     let all = known.join(", ");
-    if known.is_empty() || all.len() > LONGEST_LIST {
+    if known.is_empty() || all.len() > MAX_LISTED {
         return String::new();
     }
     format!("; there is {}", text::visible(&all))

@@ -13,7 +13,7 @@ use crate::color_text;
 use crate::mistake::BACKSLASH;
 use crate::numbers::numbers;
 use crate::scene_file::Meshes;
-use crate::uses::{self, MOST_COPIES, MOST_LEVELS, too_deep};
+use crate::uses::{self, MAX_COPIES, MAX_LEVELS, too_deep};
 use crate::{Data, Error, Form, Item, Key, Kind, Missing, Notation, kind};
 
 /// Reads tables, and keeps the first mistake in them.
@@ -66,7 +66,7 @@ impl Reader<'_> {
     ) -> Item {
         let mistakes_before = self.mistakes;
         let mut item = Item::new(kind, name, at);
-        if level > MOST_LEVELS {
+        if level > MAX_LEVELS {
             self.keep(too_deep(&item));
             return item;
         }
@@ -150,9 +150,9 @@ impl Reader<'_> {
         }
         match count {
             Err(error) => self.keep(error),
-            Ok(count) if self.copies + count > MOST_COPIES => {
+            Ok(count) if self.copies + count > MAX_COPIES => {
                 let text = format!(
-                    "the repeats of a file make at most {MOST_COPIES} copies; a repeat in another \
+                    "the repeats of a file make at most {MAX_COPIES} copies; a repeat in another \
                      one needs fewer"
                 );
                 self.keep(repeat.error("count", text));

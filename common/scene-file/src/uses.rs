@@ -9,12 +9,12 @@ use crate::error::nearest;
 use crate::{Data, Error, Item, kind};
 
 /// Most groups, repeats, uses and transforms inside each other.
-pub const MOST_LEVELS: usize = 32;
+pub const MAX_LEVELS: usize = 32;
 
 /// Most copies that all repeats of a file make, and most shapes after all copies are made. A mesh
 /// counts as one shape.
-pub const MOST_COPIES: f64 = 100_000.0;
-const MOST_SHAPES: u64 = 1_000_000;
+pub const MAX_COPIES: f64 = 100_000.0;
+const MAX_SHAPES: u64 = 1_000_000;
 
 /// The copies of a repeat, as uses of the definition with this index: copy i is rotated by i times
 /// the angles, and then displaced by i times the translation.
@@ -63,9 +63,9 @@ pub fn resolve(shapes: &mut [Item], definitions: &mut [Item]) -> Result<(), Erro
     // Definitions that nobody uses do not count.
     for item in &*shapes {
         all = extents.of_item(item, 1)?.shapes.saturating_add(all);
-        if all > MOST_SHAPES {
+        if all > MAX_SHAPES {
             let text =
-                format!("the scene has more than {MOST_SHAPES} shapes, with all of its copies");
+                format!("the scene has more than {MAX_SHAPES} shapes, with all of its copies");
             return Err(item.error("", text));
         }
     }
@@ -151,7 +151,7 @@ impl Extents<'_> {
 
     /// The extent of a table with shapes.
     fn of_tables(&mut self, item: &Item, level: usize) -> Result<Extent, Error> {
-        if level > MOST_LEVELS {
+        if level > MAX_LEVELS {
             return Err(too_deep(item));
         }
         let mut all = Extent {
@@ -170,7 +170,7 @@ impl Extents<'_> {
 /// The extent with a table around it.
 fn around(inside: Extent, item: &Item) -> Result<Extent, Error> {
     let levels = inside.levels + 1;
-    if levels > MOST_LEVELS {
+    if levels > MAX_LEVELS {
         return Err(too_deep(item));
     }
     Ok(Extent { levels, ..inside })
@@ -179,6 +179,6 @@ fn around(inside: Extent, item: &Item) -> Result<Extent, Error> {
 /// The error of a table that is too deep inside of others.
 pub fn too_deep(item: &Item) -> Error {
     let text =
-        format!("there are more than {MOST_LEVELS} groups, uses or repeats inside each other");
+        format!("there are more than {MAX_LEVELS} groups, uses or repeats inside each other");
     item.error("", text)
 }

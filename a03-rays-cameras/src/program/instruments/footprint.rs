@@ -6,7 +6,7 @@ use common::sensitivity::Footprint;
 use crate::{Camera, View, camera_coordinates};
 
 /// The largest angle by which things are rotated for a pixel, in radians.
-const LARGEST_ANGLE: f64 = 1.0 / 64.0;
+const MAX_ANGLE: f64 = 1.0 / 64.0;
 
 /// The places beside a pixel at which an object is looked for, in pixels.
 const BESIDE: [f64; 3] = [0.0, -0.5, 0.5];
@@ -52,7 +52,7 @@ impl View {
         Footprint {
             width,
             angle,
-            angle_of_world: (width / here.length()).max(angle).min(LARGEST_ANGLE),
+            angle_of_world: (width / here.length()).max(angle).min(MAX_ANGLE),
         }
     }
 

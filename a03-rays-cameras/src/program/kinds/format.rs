@@ -10,8 +10,9 @@ use scene_file::{FirstMistake, Item, Mesh, Meshes, SceneFile};
 use crate::kinds::NumberedFile;
 use crate::{View, Views};
 
-/// Most bytes of a scene file and of a mesh.
-const MOST_BYTES: [u64; 2] = [16 << 20, 1 << 30];
+/// Most bytes of a scene file, and of a mesh.
+const MAX_FILE_BYTES: u64 = 16 << 20;
+const MAX_MESH_BYTES: u64 = 1 << 30;
 
 /// How a stage reads scene files.
 #[derive(Clone, Copy)]
@@ -42,7 +43,7 @@ impl Format {
             path: path.to_owned(),
             reason,
         };
-        let bytes = file::read(Path::new(""), path, MOST_BYTES[0]).map_err(cannot_open)?;
+        let bytes = file::read(Path::new(""), path, MAX_FILE_BYTES).map_err(cannot_open)?;
         let text = text::from_file(bytes).map_err(cannot_open)?;
         let (files, triangles) = (RefCell::new(vec![path.to_owned()]), Cell::new(0));
         let folder = path.parent().unwrap_or(path);
@@ -52,7 +53,7 @@ impl Format {
             let is_beside_target =
                 |target: &&Path| !folder.join(name).exists() && target.join(name).exists();
             let folder = target.parent().filter(is_beside_target).unwrap_or(folder);
-            let bytes = file::read(folder, name.as_ref(), MOST_BYTES[1]);
+            let bytes = file::read(folder, name.as_ref(), MAX_MESH_BYTES);
             files.borrow_mut().push(folder.join(name));
             let mesh = Mesh::read(&bytes?)?;
             triangles.update(|before| before + mesh.triangles().count());

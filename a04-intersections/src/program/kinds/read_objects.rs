@@ -10,7 +10,7 @@ use crate::Geometry;
 
 /// By how much the transforms of a group and of those in it may make lengths longer or shorter.
 /// Within these limits no coordinate of a ray becomes infinite or 0.
-const LARGEST_SCALE: f64 = 1e200;
+const MAX_SCALE: f64 = 1e200;
 
 /// A geometry, and the table that has its color or material; none if one around it has.
 struct Part<'f> {
@@ -162,7 +162,7 @@ impl<'f> Reader<'f> {
         for run in runs(parts) {
             let geometry = self.shapes.read_group(item, run.geometries)?;
             let scale = run.scale * self.shapes.scale(&*geometry);
-            if scale > LARGEST_SCALE {
+            if scale > MAX_SCALE {
                 let text = "the transforms here and inside make lengths more than 1e200 times as \
                     long, or as short";
                 return Err(item.error("transform", text));

@@ -12,7 +12,7 @@ use super::NONE;
 const FOLDED: f64 = 0.9;
 
 /// Where more faces than this meet in a side, no two of them continue each other.
-const MOST_FACES: usize = 8;
+const MAX_FACES: usize = 8;
 
 /// For each side the one by which the surface goes on, or [`NONE`]. `places` are those of the
 /// corners, whose positions `at` gives; triangles that are none have no sides.
@@ -34,7 +34,7 @@ pub(super) fn across(places: &[Option<[u32; 3]>], at: impl Fn(u32) -> DVec3) -> 
     sides.sort_unstable_by_key(|side| (side.ends, side.number));
     let mut across = vec![NONE; 3 * places.len()];
     for meeting in sides.chunk_by(|a, b| a.ends == b.ends) {
-        if (2..=MOST_FACES).contains(&meeting.len()) {
+        if (2..=MAX_FACES).contains(&meeting.len()) {
             pair(meeting, &at, &mut across);
         }
     }
