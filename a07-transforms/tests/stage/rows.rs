@@ -15,10 +15,9 @@ use crate::scene_cases::{open, picture};
 /// are uses.
 fn listed(is_light: bool) -> BTreeSet<&'static str> {
     let tables = TABLES.iter().filter(|kind| kind.notation == Notation::Many);
-    let names = tables.map(|kind| kind.name);
-    names
-        .filter(|name| *name != "repeat")
-        .filter(|name| name.ends_with("_light") == is_light)
+    tables
+        .filter(|kind| kind.name != "repeat" && kind.is_light() == is_light)
+        .map(|kind| kind.name)
         .collect()
 }
 

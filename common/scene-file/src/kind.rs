@@ -60,9 +60,15 @@ impl Kind {
         self.header.is_empty() || WITH_SHAPES.contains(&self.name)
     }
 
+    /// Whether its tables are lights.
+    #[must_use]
+    pub fn is_light(&self) -> bool {
+        self.name.ends_with("_light")
+    }
+
     /// Whether its tables stand where shapes do.
     fn is_shape(&self) -> bool {
-        self.notation == Notation::Many && !self.name.ends_with("_light")
+        self.notation == Notation::Many && !self.is_light()
     }
 
     /// The key of the tables around it: it is known from the stage of its first key on.

@@ -74,7 +74,7 @@ fn add_tiny_angles(item: &Item, tiny: &mut Vec<Error>) {
 
 /// Adds the colours of an item, and of those in it, that have channels above those of the brightest.
 fn add_bright_colors(item: &Item, bright: &mut Vec<Error>) {
-    let is_light = item.kind.name.ends_with("_light");
+    let is_light = item.kind.is_light();
     for (key, at, data) in &item.values {
         let Data::Numbers(channels) = data else {
             continue;

@@ -71,7 +71,7 @@ impl SceneFile {
                 "world" => file.world = item,
                 "material" => file.materials.push(item),
                 "define" => file.definitions.push(item),
-                name if name.ends_with("_light") => file.lights.push(item),
+                _ if item.kind.is_light() => file.lights.push(item),
                 _ => file.shapes.push(item),
             }
         }
