@@ -1,12 +1,12 @@
-"""Rays a second of Embree and of the engine, in two scenes of triangles, on one thread.
+"""Rays a second of Embree and of the engine, in a scene of triangles, on one thread.
 
     pip install embreex numpy
-    cargo bench -p engine --bench peers -- torus hills --threads 1
+    cargo bench -p engine --bench peers -- hills --threads 1
     python3 common/engine/benches/peers/embree.py
 
 Embree has single precision and finds the hits alone: one ray to each pixel, and from each hit one to
 the light. The engine has double precision, and its time is that of the whole picture, with these same
-rays, shading and rounding to bytes. The scenes are those which the benchmark has written for Tachyon.
+rays, shading and rounding to bytes. The scene is the one that the benchmark has written for Tachyon.
 """
 
 import re
@@ -70,29 +70,29 @@ def engine_seconds(name):
     return float(rows[-1][head.index("trace ms")]) / 1000
 
 
-for name in ["torus", "hills"]:
-    with open(f"target/tmp/peers/{name}-Tachyon.scene", encoding="utf-8") as file:
-        text = file.read()
-    scene = EmbreeScene()
-    triangles = triangles_of(text)
-    TriangleMesh(scene, triangles)
+NAME = "hills"
+with open(f"target/tmp/peers/{NAME}-Tachyon.scene", encoding="utf-8") as file:
+    text = file.read()
+scene = EmbreeScene()
+triangles = triangles_of(text)
+TriangleMesh(scene, triangles)
 
-    directions = camera_directions(text)
-    eye = numbers_after("CENTER", text, 3).astype(numpy.float32)
-    eyes = numpy.tile(eye, (len(directions), 1))
-    scene.run(eyes[:1], directions[:1])  # builds the tree
-    to_hits, found = seconds(lambda: scene.run(eyes, directions, output=True))
+directions = camera_directions(text)
+eye = numbers_after("CENTER", text, 3).astype(numpy.float32)
+eyes = numpy.tile(eye, (len(directions), 1))
+scene.run(eyes[:1], directions[:1])  # builds the tree
+to_hits, found = seconds(lambda: scene.run(eyes, directions, output=True))
 
-    hit = found["geomID"] != -1
-    points = eyes[hit] + directions[hit] * found["tfar"][hit][:, None]
-    to_light = vectors_to_light(text, points)
-    normals = found["Ng"][hit]
-    normals /= numpy.linalg.norm(normals, axis=1)[:, None]
-    faces_light = numpy.sign((normals * to_light).sum(axis=1))
-    origins = (points + normals * (faces_light * OFFSET)[:, None]).astype(numpy.float32)
-    to_lights, occluded = seconds(lambda: scene.run(origins, to_light, query="OCCLUDED"))
+hit = found["geomID"] != -1
+points = eyes[hit] + directions[hit] * found["tfar"][hit][:, None]
+to_light = vectors_to_light(text, points)
+normals = found["Ng"][hit]
+normals /= numpy.linalg.norm(normals, axis=1)[:, None]
+faces_light = numpy.sign((normals * to_light).sum(axis=1))
+origins = (points + normals * (faces_light * OFFSET)[:, None]).astype(numpy.float32)
+to_lights, occluded = seconds(lambda: scene.run(origins, to_light, query="OCCLUDED"))
 
-    rays = len(eyes) + len(origins)
-    embree, engine = rays / (to_hits + to_lights) / 1e6, rays / engine_seconds(name) / 1e6
-    print(f"{name}: {len(triangles):,} triangles, {len(eyes):,} rays to pixels, {len(origins):,} to the light")
-    print(f"  million rays a second: Embree {embree:.2f}, engine {engine:.2f}")
+rays = len(eyes) + len(origins)
+embree, engine = rays / (to_hits + to_lights) / 1e6, rays / engine_seconds(NAME) / 1e6
+print(f"{NAME}: {len(triangles):,} triangles, {len(eyes):,} rays to pixels, {len(origins):,} to the light")
+print(f"  million rays a second: Embree {embree:.2f}, engine {engine:.2f}")

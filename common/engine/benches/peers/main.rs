@@ -5,7 +5,7 @@
 //! cargo bench -p engine --bench peers
 //! ```
 //!
-//! Behind `--`, `torus cloud --size 640x480` takes two scenes, small, and `--alone --rounds 20` measures
+//! Behind `--`, `hills nodes --size 640x480` takes two scenes, small, and `--alone --rounds 20` measures
 //! the gain of the second thread. `embree.py` beside this file counts rays of Embree, which has single
 //! precision and no pictures.
 //!

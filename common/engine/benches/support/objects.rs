@@ -23,21 +23,13 @@ const GREY: usize = 6;
 /// The objects of a scene, but the floor.
 pub fn objects(scene: &str) -> Objects {
     match scene {
-        "mirrors" => Box::new((0..9).map(mirror)),
         "objects" => Box::new(one_of_each().into_iter()),
-        "spheres" => scattered(1_000, 0.3, 0.8),
-        "torus" => surface([200, 50], true, |x, y| ring(x, y, 0.0)),
-        "swarm" => scattered(100_000, 0.05, 0.15),
         "sizes" => random(50_000, of_any_size),
-        "cloud" => scattered(60_000, 0.05, 0.15),
         "boxes" => random(800, floating_cube),
         "discs" => random(5_000, disc),
         "nodes" => Box::new(branches(&[]).into_iter()),
         "lamps" => random(300, standing_on_the_floor),
-        "mesh" => surface([450, 100], true, bumpy_torus),
-        "hills" => surface([320; 2], false, |x, z| {
-            waves(40.0 * x - 20.0, 40.0 * z - 20.0)
-        }),
+        "hills" => surface(320, |x, z| waves(40.0 * x - 20.0, 40.0 * z - 20.0)),
         _ => {
             let head = Object {
                 shape: sphere(DVec3::ZERO, 1.0),
@@ -45,15 +37,6 @@ pub fn objects(scene: &str) -> Objects {
             };
             Box::new(hairs(10_000).chain([head]))
         }
-    }
-}
-
-/// One of nine balls in three rows.
-fn mirror(i: usize) -> Object {
-    let [x, z] = [i % 3, i / 3].map(|n| 2.5 * (n as f64 - 1.0));
-    Object {
-        shape: sphere(dvec3(x, 1.0, z), 1.0),
-        color: i % GREY,
     }
 }
 
@@ -141,14 +124,6 @@ fn random(count: u32, make: impl Fn(usize, &mut Numbers) -> Shape<'static> + 'st
     }))
 }
 
-/// Spheres anywhere in a cube around the origin, with radii between two.
-fn scattered(count: u32, smallest: f64, largest: f64) -> Objects {
-    random(count, move |_, numbers| {
-        let center = numbers.in_cube(10.0);
-        sphere(center, numbers.between(smallest, largest))
-    })
-}
-
 /// Whether a sphere or cube is not too near to an eye or a lamp.
 pub fn has_room(shape: &Shape, kept_free: &[DVec3]) -> bool {
     let (center, radius) = match shape {
@@ -212,22 +187,6 @@ fn hairs(count: u32) -> Objects {
     })
 }
 
-/// The point of a torus of radii 2.5 and 1 around the y axis: `x` of its way around the
-/// axis and `y` of its way around the tube, on which bumps have this height.
-fn ring(x: f64, y: f64, bump: f64) -> DVec3 {
-    let (a, b) = (TAU * x, TAU * y);
-    let radius = 1.0 + bump * libm::sin(19.0 * a) * libm::sin(8.0 * b);
-    let from_axis = 2.5 + radius * libm::cos(b);
-    let (sin, cos) = libm::sincos(a);
-    dvec3(from_axis * cos, radius * libm::sin(b), from_axis * sin)
-}
-
-/// The point of a torus with bumps, which lies on the floor.
-fn bumpy_torus(x: f64, y: f64) -> DVec3 {
-    let ring = ring(x, y, 0.1);
-    dvec3(ring.x, 3.8 - ring.z, ring.y)
-}
-
 /// The point of a hilly country above (x, z).
 fn waves(x: f64, z: f64) -> DVec3 {
     let wave = |x_step: f64, z_step: f64| libm::sin(x * x_step + z * z_step);
@@ -258,20 +217,19 @@ impl Vertex {
     }
 }
 
-/// A mesh of two triangles in each cell of a lattice on a surface. Its points have two
-/// parameters from 0 to 1; where it `is_closed`, it ends where it begins.
-fn surface(steps: [usize; 2], is_closed: bool, point: impl Fn(f64, f64) -> DVec3) -> Objects {
-    let [rows, columns] = steps.map(|steps| steps + usize::from(!is_closed));
-    let mut vertices = Vec::with_capacity(rows * columns);
-    for i in 0..rows {
-        for j in 0..columns {
-            let (x, y) = (i as f64 / steps[0] as f64, j as f64 / steps[1] as f64);
+/// A mesh of two triangles in each cell of a square lattice on a surface, whose points have two
+/// parameters from 0 to 1.
+fn surface(steps: usize, point: impl Fn(f64, f64) -> DVec3) -> Objects {
+    let mut vertices = Vec::with_capacity((steps + 1) * (steps + 1));
+    for i in 0..=steps {
+        for j in 0..=steps {
+            let [x, y] = [i, j].map(|index| index as f64 / steps as f64);
             vertices.push(Vertex::new(x, y, &point));
         }
     }
-    let triangles = (0..steps[0] * steps[1]).flat_map(move |cell| {
-        let (i, j) = (cell / steps[1], cell % steps[1]);
-        let vertex = |i: usize, j: usize| vertices[(i % rows) * columns + j % columns];
+    let triangles = (0..steps * steps).flat_map(move |cell| {
+        let (i, j) = (cell / steps, cell % steps);
+        let vertex = |i: usize, j: usize| vertices[i * (steps + 1) + j];
         let (a, b) = (vertex(i, j), vertex(i, j + 1));
         let (c, d) = (vertex(i + 1, j), vertex(i + 1, j + 1));
         [smooth([a, b, d]), smooth([a, d, c])]
