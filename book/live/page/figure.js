@@ -95,7 +95,7 @@ live.Figure = class {
             if (this.isSeen && this.isStale) {
                 this.change();
             }
-        }, { rootMargin: '200px' }).observe(this.root);
+        }, { rootMargin: '100%' }).observe(this.root);
     }
 
     // A prediction first: the numbers show once the reader has chosen.

@@ -2,14 +2,14 @@
 live.figure('slabs', {
     below: 'slab-test.svg',
     title: 'Drag the ray through the slabs',
-    hint: 'Above, the box from the front; x points to the right, y upwards and z towards you. Below, each bar reaches from the t at which the ray enters a slab to the t at which it leaves it. The ray is in the box where all three bars overlap. Each slab is computed alone, as a box that is almost endless in the other directions.',
+    hint: 'Above, the box from the front; z points towards you. Below, each bar reaches from the t at which the ray enters a slab to the t at which it leaves it. The ray is in the box where all three bars overlap.',
     question: {
         text: 'The ray enters one slab at t = 2 and leaves it at 5; it enters another at 6 and leaves it at 9. Does it hit the box?',
         choices: ['yes', 'no'],
         right: 1,
         because: 'it leaves the first slab before it enters the second. It is never inside both: near = 6 is beyond far = 5.',
     },
-    area: { x: [-3, 3], y: [-3.9, 2] },
+    area: { x: [-4, 4], y: [-3.9, 1.6] },
     state: { ox: -2.6, oy: -1.4, x: 0.6, y: 0.2, oz: 2, z: 0 },
     sliders: {
         oz: { label: 'z of the origin', min: -3, max: 3, step: 0.1 },
@@ -25,7 +25,7 @@ live.figure('slabs', {
     draw(pen, { ox, oy }, { direction: [dx, dy], x_slab, y_slab, z_slab, both }) {
         const at = (t) => [ox + t * dx, oy + t * dy];
         pen.path([[-1, -2], [1, -2], [1, 2], [-1, 2]], 'a pale', true);
-        pen.path([[-3, -0.7], [3, -0.7], [3, 0.7], [-3, 0.7]], 'c pale', true);
+        pen.path([[-4, -0.7], [4, -0.7], [4, 0.7], [-4, 0.7]], 'c pale', true);
         pen.path([[-1, -0.7], [1, -0.7], [1, 0.7], [-1, 0.7]], 'ink', true);
         pen.arrow([ox, oy], at(9), 'ink');
         if (both.length) {
@@ -33,8 +33,8 @@ live.figure('slabs', {
         }
         x_slab.forEach((t) => pen.dot(at(t), 'a'));
         y_slab.forEach((t) => pen.dot(at(t), 'c'));
-        pen.text([-0.95, 1.5], 'slab in x', 'a');
-        pen.text([-2.95, 0.3], 'slab in y', 'c');
+        pen.text([-0.95, 1.05], 'slab in x', 'a');
+        pen.text([-3.95, 0.1], 'slab in y', 'c');
         pen.text([ox, oy], 'o');
 
         // White paper below the bars hides the ends of slabs and ray.
