@@ -1,6 +1,6 @@
 """The facts of the sheet on a lens, by counting the points of a fine grid on the lens."""
 
-from math import log, sqrt
+from math import comb, log, sqrt
 
 from check import check
 
@@ -41,6 +41,15 @@ def tolerance(depth, focus, levels):
     return 5 * sqrt(variance) + rounding
 
 
+def alike(column):
+    """The chance that two pixels of a column have the same number of white rays, of 16 random ones."""
+    share = white(column, 5, 2)
+    chances = [comb(16, k) * share**k * (1 - share) ** (16 - k) for k in range(17)]
+    return sum(chance * chance for chance in chances)
+
+
+own = sum(alike(column) for column in range(145, 155)) / 10
+
 # The lamp at the depth 5 is seen from the points x of the lens with |x (1 - 5/2)| < 0.12.
 share = sum(x * x + y * y < (0.12 / 1.5 / 0.5) ** 2 for x in POINTS for y in POINTS) / TOTAL
 check(
@@ -53,6 +62,7 @@ check(
         "before": width(1.25, 2),
         "infinity": width(5, float("inf")),
         "light": 10 * share,
+        "own": own,
         "slope": log(sqrt(4 / 256)) / log(256 / 4),
         "rays": 1 / 64,
     },
@@ -62,6 +72,7 @@ check(
         "before": tolerance(1.25, 2, [0.1, 0.9]),
         "infinity": tolerance(5, float("inf"), [0.1, 0.9]),
         "light": 5 * 10 * sqrt(share * (1 - share) / 256) / 15 + HALF_A_BYTE,
+        "own": 5 * sqrt(own * (1 - own) / 300),
         # By the relative errors of the first and the last of the spreads of 620 pixels.
         "slope": 5 * sqrt(2) / sqrt(2 * 620) / log(64),
         "rays": HALF_A_BYTE,

@@ -197,6 +197,7 @@ impl Judgement<'_> {
             Measure::Mean(region) => of_fact.mean(*region),
             Measure::Greatest(region) => of_fact.greatest(*region),
             Measure::Least(region) => of_fact.least(*region),
+            Measure::Alike(region) => of_fact.alike(*region),
             Measure::Edge(line) => line.edge(&of_fact)?,
             Measure::Width(line) => line.width(&of_fact)?,
             Measure::Spread { region, exact } => spread(&fact.run, *region, exact)?,

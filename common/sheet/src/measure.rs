@@ -12,6 +12,8 @@ pub enum Measure {
     Mean(Region),
     Greatest(Region),
     Least(Region),
+    /// The share of pixels that have the value of the pixel below.
+    Alike(Region),
     /// The place of an edge on a line, in pixels from its beginning.
     Edge(Line),
     /// Pixels between 10 % and 90 % of an edge on a line.
@@ -39,8 +41,8 @@ pub enum Measure {
 
 impl Measure {
     /// The names in a sheet.
-    pub const NAMES: [&str; 9] = [
-        "mean", "greatest", "least", "edge", "width", "spread", "same", "growth", "slope",
+    pub const NAMES: [&str; 10] = [
+        "mean", "greatest", "least", "alike", "edge", "width", "spread", "same", "growth", "slope",
     ];
 
     /// The region that is measured; none of a line and of whole pictures.
@@ -49,6 +51,7 @@ impl Measure {
             Self::Mean(region)
             | Self::Greatest(region)
             | Self::Least(region)
+            | Self::Alike(region)
             | Self::Spread { region, .. }
             | Self::Growth { region, .. }
             | Self::Slope { region, .. } => Some(*region),
@@ -147,6 +150,18 @@ impl Values<'_> {
     pub fn least(&self, region: Region) -> f64 {
         let values = region.pixels().map(|pixel| self.at(pixel));
         values.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The share of pixels that have the value of the pixel below, of those above the last row.
+    pub fn alike(&self, region: Region) -> f64 {
+        let (mut count, mut alike) = (0.0, 0.0);
+        for (x, y) in region.pixels() {
+            if y + 1 < region.y + region.height {
+                count += 1.0;
+                alike += f64::from(u8::from(self.at((x, y)) == self.at((x, y + 1))));
+            }
+        }
+        alike / count
     }
 
     /// The root mean square difference from exact values.

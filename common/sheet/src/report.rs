@@ -139,6 +139,7 @@ impl Fact {
             Measure::Mean(region) => of("mean", region),
             Measure::Greatest(region) => of("greatest value", region),
             Measure::Least(region) => of("least value", region),
+            Measure::Alike(region) => of("share of pixels like the pixel below", region),
             Measure::Edge(line) => on("pixels from the beginning to the edge", line),
             Measure::Width(line) => on("pixels between 10 % and 90 % of the step", line),
             Measure::Spread { region, exact } => of(&error(exact), region),

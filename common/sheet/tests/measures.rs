@@ -60,7 +60,16 @@ const SCENES: [&str; 10] = [
 ];
 
 /// Keys of a fact, and its value.
-const FACTS: [(&str, f64); 18] = [
+const FACTS: [(&str, f64); 20] = [
+    // Rows are equal, but for a diagonal: in 5 x 5 pixels at it, 4 of 20 pairs.
+    (
+        "scene = \"ramp\"\nmeasure = \"alike\"\nregion = [10, 0, 11, 20]",
+        1.0,
+    ),
+    (
+        "scene = \"diagonal\"\nmeasure = \"alike\"\nregion = [10, 10, 5, 5]",
+        16.0 / 20.0,
+    ),
     (
         "scene = \"ramp\"\nmeasure = \"mean\"\nregion = [10, 0, 11, 20]",
         60.0 / 255.0,

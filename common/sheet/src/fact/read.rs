@@ -100,6 +100,13 @@ fn measure(row: &Row, sheet: &Sheet, size: Size) -> Result<Measure, String> {
         "mean" => Measure::Mean(region(row, size)?),
         "greatest" => Measure::Greatest(region(row, size)?),
         "least" => Measure::Least(region(row, size)?),
+        "alike" => {
+            let region = region(row, size)?;
+            if region.height < 2 {
+                return Err(row.error("region", "must have two rows or more"));
+            }
+            Measure::Alike(region)
+        }
         "edge" => Measure::Edge(line(row, size)?),
         "width" => Measure::Width(line(row, size)?),
         "spread" => {
