@@ -28,13 +28,70 @@ fn is_of_name(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_'
 }
 
-/// The code without lines of comments, without space, and with `~` between two names.
+/// The code without comments, and without the letters of its texts.
+fn code(text: &str) -> String {
+    let mut code = String::new();
+    let mut rest = text;
+    while let Some(letter) = rest.chars().next() {
+        if rest.starts_with("//") {
+            rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
+        } else if rest.starts_with("/*") {
+            rest = behind_comment(rest);
+            code.push(' ');
+        } else if let Some(after) = behind_text(&code, rest) {
+            rest = after;
+            code += "\"\"";
+        } else {
+            code.push(letter);
+            rest = &rest[letter.len_utf8()..];
+        }
+    }
+    code
+}
+
+/// What stands behind a comment between `/*` and `*/`, in which others may stand.
+fn behind_comment(text: &str) -> &str {
+    let mut rest = &text[2..];
+    loop {
+        match (rest.find("/*"), rest.find("*/")) {
+            (Some(inner), Some(end)) if inner < end => rest = behind_comment(&rest[inner..]),
+            (_, Some(end)) => return &rest[end + 2..],
+            (_, None) => return "",
+        }
+    }
+}
+
+/// What stands behind a text or a quotation mark that begins here; none if none begins.
+fn behind_text<'a>(before: &str, rest: &'a str) -> Option<&'a str> {
+    for mark in ["'\"'", "'\\\"'"] {
+        if let Some(after) = rest.strip_prefix(mark) {
+            return Some(after);
+        }
+    }
+    if let Some(raw) = rest
+        .strip_prefix('r')
+        .filter(|_| !before.ends_with(is_of_name))
+    {
+        let inside = raw.trim_start_matches('#');
+        let end = format!("\"{}", &raw[..raw.len() - inside.len()]);
+        let inside = inside.strip_prefix('"')?;
+        return Some(inside.split_once(&*end).map_or("", |(_, after)| after));
+    }
+    let mut letters = rest.strip_prefix('"')?.chars();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '"' => break,
+            '\\' => drop(letters.next()),
+            _ => {}
+        }
+    }
+    Some(letters.as_str())
+}
+
+/// The code without space, and with `~` between two names.
 fn joined(text: &str) -> String {
-    let code = text
-        .lines()
-        .filter(|line| !line.trim_start().starts_with("//"));
     let mut joined = String::new();
-    for word in code.flat_map(str::split_whitespace) {
+    for word in code(text).split_whitespace() {
         if joined.ends_with(is_of_name) && word.starts_with(is_of_name) {
             joined.push('~');
         }
@@ -88,6 +145,9 @@ mod tests {
             "std :: fs :: File",
             "use std::{fs as f};",
             "const ANSWERS: &str = include_str!(\"answers\");",
+            "let quote = '\"'; std::fs::read(\"a\"); let other = '\\\"';",
+            "/* /* */ */ std::net::connect()",
+            "let a = r\"\\\"; std::fs::read(b); let c = \"\";",
         ] {
             assert!(refusal(e, line).is_some(), "{line}");
         }
@@ -96,6 +156,9 @@ mod tests {
             "use std::{f64::consts::PI, mem};",
             "use prefs::path; let external = prefs::path(\"included\");",
             "// It includes what std::fs::read does.",
+            "let a = 1.0; // Sphere is in super::x and std::fs.",
+            "/* use std::fs; /* std::process */ std::net */ let a = 1;",
+            "let a = \"std::fs \\\" std::net\"; let b = r#\"use \"std::fs\"\"#; let r = 1;",
             "mod tests { use super::*; }",
         ] {
             assert_eq!(refusal(e, line), None, "{line}");
