@@ -214,14 +214,13 @@ fn open_to_everybody(_: &Path) -> io::Result<()> {
     Ok(())
 }
 
-#[cfg(test)]
+#[cfg(all(test, target_os = "linux"))]
 mod tests {
     use common::{Image, Size, Transfer, picture_file};
 
     use super::*;
 
     /// Programs that are shell scripts draw a picture of a pixel, or something else.
-    #[cfg(target_os = "linux")]
     #[test]
     fn only_a_plain_file_of_the_right_name_is_taken() {
         use std::os::unix::fs::PermissionsExt;
