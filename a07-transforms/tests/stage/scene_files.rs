@@ -223,3 +223,27 @@ fn a_pixel_of_a_color_in_bytes_has_these_bytes_by_every_transfer() {
         }
     }
 }
+
+/// A link on a desk leads to a scene file at home. A mesh beside the link comes first.
+#[cfg(unix)]
+#[test]
+fn a_scene_behind_a_link_finds_the_mesh_beside_the_file_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let [home, desk] = ["home", "desk"].map(|name| folder.path().join(name));
+    for place in [&home, &desk] {
+        fs::create_dir(place).unwrap();
+    }
+    let scene = "[camera]\neye = [0, 0, 5]\ngaze = [0, 0, -1]\nangle = 40\n\n\
+        [[mesh]]\nfile = \"tri.obj\"\ncolor = \"red\"\n";
+    fs::write(home.join("s.toml"), scene).unwrap();
+    let link = desk.join("s.toml");
+    std::os::unix::fs::symlink(home.join("s.toml"), &link).unwrap();
+    let open = stage().open.unwrap();
+    assert!(open(&link).is_err());
+    for place in [home, desk] {
+        let mesh = place.join("tri.obj");
+        fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        let found = fs::canonicalize(&open(&link).unwrap().files[1]).unwrap();
+        assert_eq!(found, fs::canonicalize(&mesh).unwrap());
+    }
+}
