@@ -253,8 +253,12 @@ impl<'a> Gallery<'a> {
 
     /// Waits for the end of the rendering.
     pub fn wait(&mut self) {
-        let Job::Running(thread) = mem::replace(&mut self.job, Job::Idle) else {
-            return;
+        let thread = match mem::replace(&mut self.job, Job::Idle) {
+            Job::Running(thread) => thread,
+            job => {
+                self.job = job;
+                return;
+            }
         };
         self.message.clear();
         let outcome = thread.join();

