@@ -2,6 +2,7 @@
 
 mod answers;
 mod camera;
+mod renderer;
 
 use std::mem;
 use std::path::PathBuf;
@@ -9,7 +10,7 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::Instant;
 
-use common::{Edits, Error, Image, Renderer, Scene, Settings, Size, Stage};
+use common::{Edits, Error, Image, Scene, Settings, Size, Stage};
 
 use crate::LivePicture;
 use crate::black_picture::warn_if_black;
@@ -187,24 +188,6 @@ impl<'a> Gallery<'a> {
         };
         self.job = Job::Running(thread::spawn(render));
         Ok(())
-    }
-
-    /// Whether the fast renderer could draw the scene instead of the lesson's.
-    #[must_use]
-    pub fn could_be_fast(&self) -> bool {
-        self.scene().is_some_and(|scene| {
-            let settings = self.settings(scene);
-            let is_lesson = settings.is_ok_and(|settings| settings.renderer == Renderer::Lesson);
-            scene.uses.sampling && is_lesson
-        })
-    }
-
-    /// Renders this picture and the next ones by the fast renderer.
-    pub fn render_fast(&mut self) {
-        if self.could_be_fast() {
-            self.options.render_fast();
-            self.start_or_fail();
-        }
     }
 
     fn start_or_fail(&mut self) {
