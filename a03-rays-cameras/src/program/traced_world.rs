@@ -24,6 +24,11 @@ pub trait TracedWorld: Any + Send + Sync {
         Vec::new()
     }
 
+    /// The lights of the world as the values of their tables, in the order of the engine's.
+    fn written_lights(&self) -> Vec<scene_file::WrittenLight> {
+        Vec::new()
+    }
+
     /// The number of the object, from 1, that a ray hits first, and the `t` of this hit.
     fn nearest(&self, _ray: &Ray) -> Option<(usize, f64)> {
         None

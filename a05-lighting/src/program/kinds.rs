@@ -10,9 +10,9 @@ mod material_row;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::View;
 use a03_rays_cameras::kinds::{Format, read_camera};
-use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
+use a04_intersections::kinds::{KINDS as SHAPES, Shapes, Values};
 use common::Color;
-use scene_file::{Error, FirstMistake, Item, SceneFile};
+use scene_file::{Error, FirstMistake, Item, SceneFile, exact_angle};
 
 use crate::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
@@ -46,11 +46,18 @@ impl LightKind for PointLight {
         item.check(Self::new(color, item.vector("position", Point3::new)?))
     }
 
-    fn for_engine(&self) -> engine::LightKind<'static> {
-        engine::LightKind::Point {
+    fn content(&self) -> Values {
+        vec![
+            ("color", self.color.channels().into()),
+            ("position", self.position.to_glam().to_array().into()),
+        ]
+    }
+
+    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
+        Some(engine::LightKind::Point {
             color: self.color,
             position: self.position.to_glam(),
-        }
+        })
     }
 }
 
@@ -63,19 +70,28 @@ impl LightKind for SpotLight {
         item.check(Self::new(color, position, direction, half_angle))
     }
 
+    fn content(&self) -> Values {
+        let cosine = self.cos_half_angle;
+        let half_angle = exact_angle(libm::acos(cosine), |angle| libm::cos(angle) == cosine);
+        let mut values = self.source.content();
+        values.push(("direction", self.direction.to_glam().to_array().into()));
+        values.push(("half_angle", vec![half_angle]));
+        values
+    }
+
     /// The cosine between its axis and the direction to the point, beyond that of the edge.
     fn margin(&self, point: Point3) -> Option<f64> {
         let light = self.source.illumination(point)?;
         Some((-light.direction).dot(self.direction) - self.cos_half_angle)
     }
 
-    fn for_engine(&self) -> engine::LightKind<'static> {
-        engine::LightKind::Spot {
+    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
+        Some(engine::LightKind::Spot {
             color: self.source.color,
             position: self.source.position.to_glam(),
             direction: self.direction.to_glam(),
             cos_half_angle: self.cos_half_angle,
-        }
+        })
     }
 }
 
@@ -85,11 +101,18 @@ impl LightKind for DirectionalLight {
         item.check(Self::new(color, item.vector("direction", Vector3::new)?))
     }
 
-    fn for_engine(&self) -> engine::LightKind<'static> {
-        engine::LightKind::Directional {
+    fn content(&self) -> Values {
+        vec![
+            ("color", self.color.channels().into()),
+            ("direction", self.direction.to_glam().to_array().into()),
+        ]
+    }
+
+    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
+        Some(engine::LightKind::Directional {
             color: self.color,
             direction: self.direction.to_glam(),
-        }
+        })
     }
 }
 

@@ -7,7 +7,7 @@ use a04_intersections::instruments::objects;
 use a04_intersections::instruments::recorded::push_background;
 use a04_intersections::kinds::KINDS as SHAPES;
 use common::{Color, Stage};
-use scene_file::WrittenShape;
+use scene_file::{WrittenLight, WrittenShape};
 
 use crate::LitWorld;
 use crate::instruments::recorded;
@@ -61,6 +61,13 @@ impl TracedWorld for LitWorld {
 
     fn written_shapes(&self) -> Vec<WrittenShape> {
         SHAPES.written(self.objects())
+    }
+
+    fn written_lights(&self) -> Vec<WrittenLight> {
+        let lights = self.lights().iter();
+        lights
+            .map(|light| kinds::LIGHTS.written(&**light))
+            .collect()
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {

@@ -5,8 +5,9 @@ use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use a04_intersections::instruments::objects;
 use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
+use a05_lighting::kinds::LIGHTS;
 use common::{Color, Stage};
-use scene_file::WrittenShape;
+use scene_file::{WrittenLight, WrittenShape};
 
 use crate::instruments::recorded::RecordedWorld;
 use crate::scenes::{aab, sphere};
@@ -62,6 +63,13 @@ impl TracedWorld for RecursiveWorld {
 
     fn written_shapes(&self) -> Vec<WrittenShape> {
         self.shapes.written(self.world.objects())
+    }
+
+    fn written_lights(&self) -> Vec<WrittenLight> {
+        let sources = self.world.lights().iter();
+        sources
+            .map(|source| LIGHTS.written(&*source.light))
+            .collect()
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {

@@ -7,6 +7,7 @@ use a02_math::{Point3, Vector3};
 use a05_lighting::kinds::LIGHTS;
 use a07_transforms::kinds::KINDS;
 use common::Color;
+use common::sensitivity::Unit;
 use scene_file::{Form, Item, KINDS as TABLES, Key, Missing, Notation, SceneFile};
 
 use crate::scene_cases::{open, picture};
@@ -45,12 +46,7 @@ fn no_light_is_brighter_than_its_bound_for_the_engine() {
         let mut lit = 0;
         for seed in 0..20 {
             let mut state = seed;
-            let mut lines = vec![format!("[[{}]]\ncolor = [1, 0.5, 0.25]", row.key)];
-            for key in keys(row.key) {
-                let value = numbers(&key.form, &mut state);
-                lines.push(format!("{} = {value}", key.name));
-            }
-            let text = lines.join("\n");
+            let text = light(row.key, &mut state);
             let file = SceneFile::read(&text, 7, &|_| unreachable!()).unwrap();
             let light = LIGHTS.read(&file.lights[0]).unwrap();
             let bound = engine::Light {
@@ -72,6 +68,42 @@ fn no_light_is_brighter_than_its_bound_for_the_engine() {
             }
         }
         assert!(lit >= 100, "{}: {lit} points are lit", row.key);
+    }
+}
+
+/// The table of a light with random numbers.
+fn light(table: &str, state: &mut u64) -> String {
+    let mut lines = vec![format!("[[{table}]]\ncolor = [1, 0.5, 0.25]")];
+    for key in keys(table) {
+        // Cones of all widths, and not of one degree.
+        let value = match key.unit {
+            Some(Unit::Degree) => format!("{}", *state % 90 + 1),
+            _ => numbers(&key.form, state),
+        };
+        lines.push(format!("{} = {value}\n", key.name));
+    }
+    lines.join("\n")
+}
+
+/// With shadows and without, on a ball in front of a wall, into which coordinates above 0 lead.
+#[test]
+fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
+    for row in LIGHTS.0 {
+        let mut seen = 0;
+        for seed in 0..20 {
+            let table = light(row.key, &mut { seed });
+            let pictures = ["true", "false"].map(|shadows| {
+                let text = format!(
+                    "[camera]\neye = [-2, 3, 6]\nlook_at = [3, 3, 3]\nangle = 60\n\
+                    [material.white]\ndiffuse = [1, 1, 1]\n{table}shadows = {shadows}\n\
+                    [[sphere]]\nmaterial = \"white\"\ncenter = [2.5, 2.5, 2.5]\nradius = 0.5\n\
+                    [[plane]]\nmaterial = \"white\"\npoint = [4, 4, 4]\nnormal = [1, 1, 1]\n"
+                );
+                picture(&text, [16, 12])
+            });
+            seen += u32::from(pictures[0] != pictures[1]);
+        }
+        assert!(seen >= 5, "{}: {seen} cast a shadow", row.key);
     }
 }
 

@@ -75,16 +75,18 @@ pub fn picture_of(open: Open, scene: &Scene, size: Size) -> Image {
         scene.render(&settings, &()).unwrap()
     };
     let [lesson, engine, all_work] = Renderer::ALL.map(|renderer| picture(scene, renderer));
-    assert!(engine == lesson, "the engine differs");
-    assert!(all_work == lesson, "all work differs");
+    let name = scene.name;
+    assert!(engine == lesson, "{name}: the engine differs");
+    assert!(all_work == lesson, "{name}: all work differs");
     let export = scene.rays().unwrap().export("toml", &scene.defaults);
-    let export = export.unwrap();
-    let again = open_by(open, export.as_bytes()).unwrap();
+    let export = export.unwrap_or_else(|error| panic!("{name}: {error}"));
+    let again = open_by(open, export.as_bytes());
+    let again = again.unwrap_or_else(|error| panic!("the export of {name}, {error}:\n{export}"));
     let again = picture(&again, Renderer::Engine);
     let bytes = |image: &Image| image.to_rgb8(Transfer::Linear);
     assert!(
         bytes(&again) == bytes(&lesson),
-        "the export differs:\n{export}"
+        "the export of {name} differs:\n{export}"
     );
     lesson
 }

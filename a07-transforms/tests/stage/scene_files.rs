@@ -30,11 +30,16 @@ fn each_scene_gets_its_error_note_or_picture() {
 
 #[test]
 fn two_examples_have_every_key() {
-    let keys = KINDS.iter().flat_map(|kind| &kind.keys);
-    for key in keys.filter(|key| !key.about.is_empty()) {
-        let line = format!("{} = ", key.name);
-        let has_it = SHAPES.contains(&line) || BOARD.contains(&line);
-        assert!(has_it || key.name == "inverse", "{}", key.name);
+    for kind in KINDS.iter() {
+        for key in kind.keys.iter().filter(|key| !key.about.is_empty()) {
+            let (table, name) = (kind.name, key.name);
+            let line = format!("{name} = ");
+            let has_it = SHAPES.contains(&line) || BOARD.contains(&line);
+            assert!(
+                has_it || name == "inverse",
+                "neither scenes/shapes.toml nor scenes/board.toml has a {table} with {name}"
+            );
+        }
     }
 }
 

@@ -1,12 +1,13 @@
 //! `export`: writes a scene of the engine in a language.
 
 mod shape;
+mod words;
 
 use std::collections::HashMap;
 use std::rc::Rc;
 
 use common::{Color, Settings};
-use engine::{Camera, Light, LightKind, Scene, Shading, Surface, Transform};
+use engine::{Camera, Scene, Shading, Surface, Transform};
 use glam::DVec3;
 
 use crate::Phrases;
@@ -27,11 +28,22 @@ pub struct WrittenShape {
     pub surface: usize,
 }
 
-/// Writes a scene with these shapes in a language. The error is a part that it has no phrase for.
+/// A light as the values of its table.
+#[derive(Clone, Debug)]
+pub struct WrittenLight {
+    /// The name of its table; none if its type has none.
+    pub key: Option<&'static str>,
+    /// The values, by the keys of the table.
+    pub values: Vec<(&'static str, Vec<f64>)>,
+}
+
+/// Writes a scene with these shapes and lights in a language. The error is a part that it has no
+/// phrase for.
 pub fn export(
     language: Phrases,
     scene: &Scene,
     shapes: &[WrittenShape],
+    lights: &[WrittenLight],
     camera: &Camera,
     settings: &Settings,
 ) -> Result<String, String> {
@@ -54,13 +66,17 @@ pub fn export(
         let used = used.replace("[name]", name);
         uses.push(used.replace("[no_shadow]", &no_shadow));
     }
-    for source in &scene.lights {
+    for (source, light) in scene.lights.iter().zip(lights) {
         let shadows = if source.casts_shadows || !no_shadow.is_empty() {
             String::new()
         } else {
             language.find("light without shadows", "", &[])?
         };
-        text += &light(language, source)?.replace("[shadows]", &shadows);
+        let words = match light.key {
+            Some(key) => words::of_table(language, "any light", key, &light.values)?,
+            None => language.find("light by formula", "", &[])?,
+        };
+        text += &words.replace("[shadows]", &shadows);
     }
     let definitions = Definitions::of(shapes);
     for (number, definition) in definitions.0.iter().enumerate() {
@@ -219,29 +235,6 @@ fn material(language: Phrases, surface: &Surface, ambient: Color) -> Result<[Str
     Ok([words + &mirrored, used])
 }
 
-fn light(language: Phrases, light: &Light) -> Result<String, String> {
-    let (kind, color, position, axis, angle) = match light.kind {
-        LightKind::Point { color, position } => ("point", color, position, DVec3::X, 0.0),
-        LightKind::Spot {
-            color,
-            position,
-            direction,
-            cos_half_angle: cosine,
-        } => {
-            let angle = exact_angle(libm::acos(cosine), |angle| libm::cos(angle) == cosine);
-            ("spot", color, position, direction, angle)
-        }
-        LightKind::Directional { color, direction } => {
-            ("directional", color, direction * -1e4, direction, 0.0)
-        }
-        LightKind::Other(_) => return language.find("light by formula", "", &[]),
-    };
-    let [p, a, target] = [position, axis, position + axis].map(|v| v.to_array());
-    let (color, direction, angle) = (color.channels(), short(axis), [angle]);
-    let names = "color position direction axis target half_angle";
-    language.find(kind, names, &[&color, &p, &direction, &a, &target, &angle])
-}
-
 /// A direction with a largest coordinate of 1, which often makes all of them short.
 fn short(direction: DVec3) -> [f64; 3] {
     (direction / direction.abs().max_element()).to_array()
@@ -249,7 +242,7 @@ fn short(direction: DVec3) -> [f64; 3] {
 
 /// The angle in degrees, next to another in radians, for which a function has exactly a value;
 /// if there is none, the other.
-fn exact_angle(near: f64, is_exact: impl Fn(f64) -> bool) -> f64 {
+pub fn exact_angle(near: f64, is_exact: impl Fn(f64) -> bool) -> f64 {
     let near = near.to_degrees();
     let short = (near * 1e6).round() / 1e6;
     let away = |ulps| f64::from_bits(near.to_bits().saturating_add_signed(ulps));

@@ -127,8 +127,9 @@ fn read_again(stage: &Stage, scene: &Scene) -> Option<Scene> {
     let text = scene
         .rays()
         .and_then(|rays| rays.export("toml", &scene.defaults));
-    std::fs::write(&file, text.expect("the scene has phrases")).expect("a file");
-    Some(open(&file).expect("the scene file is right"))
+    let text = text.unwrap_or_else(|error| panic!("{}: {error}", scene.name));
+    std::fs::write(&file, &text).expect("a file");
+    Some(open(&file).unwrap_or_else(|error| panic!("{error}:\n{text}")))
 }
 
 /// Renders a scene with all renderers and compares the pictures with its lock: all with the

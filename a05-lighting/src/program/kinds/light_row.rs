@@ -3,7 +3,8 @@
 use std::any::Any;
 
 use a02_math::Point3;
-use scene_file::{Error, Item};
+use a04_intersections::kinds::Values;
+use scene_file::{Error, Item, WrittenLight};
 
 use crate::Light;
 
@@ -14,8 +15,13 @@ pub trait LightKind: Light {
     where
         Self: Sized;
 
-    /// Its numbers for the engine.
-    fn for_engine(&self) -> engine::LightKind<'static>;
+    /// The values that [`LightKind::read`] reads.
+    fn content(&self) -> Values;
+
+    /// The engine's own light; if there is none, the engine asks `illumination`, point by point.
+    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
+        None
+    }
 
     /// The margin by which it shines at a point: a smooth function that is below 0 where it does not;
     /// none if it shines everywhere.
@@ -71,11 +77,23 @@ impl Lights {
         known.and_then(|light| light.margin(point))
     }
 
-    /// The engine's light: numbers if the light's type has a row, otherwise a function.
+    /// A light as the values of its table.
+    #[must_use]
+    pub fn written(self, light: &dyn Light) -> WrittenLight {
+        let known = |row: &LightRow| Some((row.key, (row.get)(light)?.content()));
+        let (key, values) = self.0.iter().find_map(known).unzip();
+        WrittenLight {
+            key,
+            values: values.unwrap_or_default(),
+        }
+    }
+
+    /// The engine's light: numbers if the engine has its type, otherwise a function.
     #[must_use]
     pub fn for_engine(self, light: &dyn Light) -> engine::LightKind<'_> {
-        if let Some(known) = self.0.iter().find_map(|row| (row.get)(light)) {
-            return known.for_engine();
+        let known = self.0.iter().find_map(|row| (row.get)(light));
+        if let Some(light) = known.and_then(LightKind::for_engine) {
+            return light;
         }
         engine::LightKind::Other(Box::new(|point| {
             let light = light.illumination(Point3::from_glam(point))?;

@@ -8,7 +8,7 @@ use common::{Error, Image, Settings, Size, picture_file};
 use scene_file::{POV_RAY, Phrases, export};
 
 use crate::support::scene::Scene;
-use crate::written::written;
+use crate::written::{written, written_lights};
 
 /// A program that renders.
 pub struct Program {
@@ -108,8 +108,8 @@ impl Program {
             ..Settings::default()
         };
         let (world, camera) = scene.world();
-        let shapes = written(&world);
-        let text = export(language, &world, &shapes, &camera, &settings);
+        let (shapes, lights) = (written(&world), written_lights(&world));
+        let text = export(language, &world, &shapes, &lights, &camera, &settings);
         let text = text.map_err(io::Error::other)?;
         fs::write(folder().join(self.file(scene) + ".scene"), text)
     }

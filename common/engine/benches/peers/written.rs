@@ -1,7 +1,9 @@
-//! The shapes of a scene of the engine as the values that a language has words for.
+//! The shapes and lights of a scene of the engine as the values that a language has words for.
 
-use engine::{Scene, Shape};
-use scene_file::WrittenShape;
+use common::Color;
+use engine::{LightKind, Scene, Shape};
+use glam::DVec3;
+use scene_file::{WrittenLight, WrittenShape};
 
 /// The shapes in their order; a shape that is a function has no words.
 pub fn written(scene: &Scene) -> Vec<WrittenShape> {
@@ -65,5 +67,52 @@ fn in_words(shape: &Shape) -> WrittenShape {
         used: None,
         transforms: Vec::new(),
         surface: 0,
+    }
+}
+
+/// The lights in their order; a light that is a function has no words.
+pub fn written_lights(scene: &Scene) -> Vec<WrittenLight> {
+    let lights = scene.lights.iter();
+    lights.map(|light| light_in_words(&light.kind)).collect()
+}
+
+fn light_in_words(light: &LightKind) -> WrittenLight {
+    let color = |color: &Color| ("color", color.channels().into());
+    let vector = |name, vector: &DVec3| (name, vector.to_array().into());
+    let (key, values) = match light {
+        LightKind::Point {
+            color: own,
+            position,
+        } => (
+            "point_light",
+            vec![color(own), vector("position", position)],
+        ),
+        LightKind::Spot {
+            color: own,
+            position,
+            direction,
+            cos_half_angle,
+        } => {
+            let half_angle = libm::acos(*cos_half_angle).to_degrees();
+            let values = vec![
+                color(own),
+                vector("position", position),
+                vector("direction", direction),
+                ("half_angle", vec![half_angle]),
+            ];
+            ("spot_light", values)
+        }
+        LightKind::Directional {
+            color: own,
+            direction,
+        } => (
+            "directional_light",
+            vec![color(own), vector("direction", direction)],
+        ),
+        LightKind::Other(_) => ("light by formula", Vec::new()),
+    };
+    WrittenLight {
+        key: Some(key),
+        values,
     }
 }
