@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { set_pixel }
 
 type Code = fn(&mut Image, u32, u32, Color);
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let places = Questions {
@@ -58,52 +57,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: all([places.into(), colors.into()]),
         picture: Picture::own(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
-        wrong: vec![
-            Other::new(
-                "x beyond the width is no pixel of the next row",
-                |image, x, y, color| set(image, color, |w, _| index(y, w, x)),
-            ),
-            Other::new(
-                "a row is as long as the picture is wide",
-                |image, x, y, color| {
-                    if x < image.size().width() && y < image.size().height() {
-                        set(image, color, |_, h| index(y, h, x));
-                    }
-                },
-            ),
-            Other::new(
-                "the list is row after row, not column by column",
-                |image, x, y, color| set(image, color, |_, h| index(x, h, y)),
-            ),
-            Other::new(
-                "y times the width may be more than 32 bits hold",
-                |image, x, y, color| {
-                    if x < image.size().width() {
-                        set(image, color, |w, _| {
-                            u64::from(y.wrapping_mul(w).wrapping_add(x))
-                        });
-                    }
-                },
-            ),
-        ],
-        ..Exercise::default()
-    }
-}
-
-/// The index of a pixel after some rows of a length.
-fn index(rows: u32, length: u32, place: u32) -> u64 {
-    u64::from(rows) * u64::from(length) + u64::from(place)
-}
-
-/// Paints the pixel at an index that follows from width and height.
-fn set(image: &mut Image, color: Color, index: impl Fn(u32, u32) -> u64) {
-    let index = index(image.size().width(), image.size().height());
-    let mut pixels = image.pixels_mut().iter_mut();
-    if let Some(pixel) = usize::try_from(index)
-        .ok()
-        .and_then(|index| pixels.nth(index))
-    {
-        *pixel = color;
     }
 }
 

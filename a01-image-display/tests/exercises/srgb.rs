@@ -29,7 +29,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: all([lights.into(), values.into()]),
         picture: Picture::own(test_card),
-        ..Exercise::default()
     }
 }
 

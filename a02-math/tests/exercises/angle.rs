@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { angle }
 
 type Code = fn(Vector3, Vector3) -> f64;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let x = [1.0, 0.0, 0.0];
@@ -36,23 +35,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vectors.into(),
         picture: Picture::own(|angle: &Code, settings| fans(*angle, settings)),
-        wrong: vec![
-            Other::new("the cosine of a tiny angle rounds to 1", |a, b| {
-                libm::acos(cosine(a, b).clamp(-1.0, 1.0))
-            }),
-            Other::new("the dot product contains both lengths", |a, b| {
-                libm::acos(a.dot(b).clamp(-1.0, 1.0))
-            }),
-            Other::new("an obtuse angle has the sine of an acute one", |a, b| {
-                libm::asin((1.0 - cosine(a, b) * cosine(a, b)).sqrt())
-            }),
-        ],
-        ..Exercise::default()
     }
-}
-
-fn cosine(a: Vector3, b: Vector3) -> f64 {
-    a.dot(b) / (a.magnitude() * b.magnitude())
 }
 
 /// The angles from an arrow to the points around it, in sectors of 15 degrees; and on the right

@@ -31,7 +31,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: points.into(),
         picture: Picture::own(triangle),
-        ..Exercise::default()
     }
 }
 

@@ -10,8 +10,6 @@ pub struct Code {
     pub cross: fn(Vector3, Vector3) -> Vector3,
 }
 
-type Other = Variant<Code>;
-
 pub fn exercise() -> Exercise<Code> {
     let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let vectors = Questions {
@@ -31,21 +29,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vectors.into(),
         picture: Picture::own(balls),
-        wrong: vec![
-            Other::from_right("a vector has three coordinates", |right| Code {
-                dot: |a, b| a.x() * b.x() + a.y() * b.y(),
-                ..right
-            }),
-            Other::from_right("a × b is not b × a", |right| Code {
-                cross: |a, b| b.cross(a),
-                ..right
-            }),
-            Other::from_right("each coordinate is made of the two others", |right| Code {
-                cross: |a, b| Vector3::from_glam(a.to_glam() * b.to_glam()),
-                ..right
-            }),
-        ],
-        ..Exercise::default()
     }
 }
 

@@ -7,7 +7,6 @@ use crate::prelude::*;
 yours! { reflected }
 
 type Code = fn(Vector3, Normal3) -> Vector3;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let up = [0.0, 1.0, 0.0];
@@ -33,16 +32,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vectors.into(),
         picture: Picture::own(|reflected: &Code, settings| parabola(*reflected, settings)),
-        wrong: vec![
-            Other::new("v points away", |v, n| -v.reflected_on(n)),
-            Other::new("the part along the normal counts twice", |v, n| {
-                Vector3::from(n) * n.dot(v) - v
-            }),
-            Other::new("a vector behind the surface stays behind", |v, n| {
-                Vector3::from(n) * (2.0 * n.dot(v).abs()) - v
-            }),
-        ],
-        ..Exercise::default()
     }
 }
 

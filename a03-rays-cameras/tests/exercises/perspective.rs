@@ -10,30 +10,12 @@ yours! {
 
 /// Makes a camera of eye, gaze and up vector, and an angle.
 type Code = NewCamera<([[f64; 3]; 3], f64)>;
-type Other = Variant<Code>;
 
 const AHEAD: [[f64; 3]; 3] = [[0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
 
 pub fn exercise() -> Exercise<Code> {
-    let mut wrong = mistakes_with_angle(|([e, g, t], angle): ([[f64; 3]; 3], f64)| {
-        Ok((Basis::new(point(e), vector(g), vector(t))?, angle))
-    });
-    let with_t_for_v = with_pixels(
-        |([e, g, t], angle): ([[f64; 3]; 3], f64)| {
-            let right = Basis::new(point(e), vector(g), vector(t))?;
-            let v = unit(t);
-            let u = v.cross(right.w);
-            Ok((Basis { u, v, ..right }, angle))
-        },
-        |angle, [_, height]| [2.0 * libm::tan(angle / 2.0) / height; 2],
-    );
-    wrong.push(Other::new(
-        "v is perpendicular to w, and t is not",
-        with_t_for_v,
-    ));
     Exercise {
         picture: Picture::own(floor),
-        wrong,
         ..cameras(Cameras {
             words: "eye, gaze and up {}, field of view {}",
             first: (AHEAD, FRAC_PI_2),

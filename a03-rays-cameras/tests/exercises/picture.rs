@@ -6,7 +6,6 @@ yours! { picture }
 
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
 type Code = fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let pixels = Questions {
@@ -31,45 +30,6 @@ pub fn exercise() -> Exercise<Code> {
             let View { camera, world } = scenes::striped_sky(settings.size, StripeRule::Direction)?;
             picture(&*camera, &|ray| world.color_for(ray), settings)
         }),
-        wrong: vec![
-            Other::new(
-                "rows are counted from the top",
-                |camera, radiance, settings| {
-                    painted(
-                        camera,
-                        radiance,
-                        settings,
-                        |size, y| size.height() - 1 - y,
-                        mean,
-                    )
-                },
-            ),
-            Other::new(
-                "a grid may have fewer samples",
-                |camera, radiance, settings| {
-                    painted(
-                        camera,
-                        radiance,
-                        settings,
-                        |_, y| y,
-                        |samples, wanted| sum(samples) * (1.0 / f64::from(wanted)),
-                    )
-                },
-            ),
-            Other::new(
-                "a pixel is a mean, not a sum",
-                |camera, radiance, settings| {
-                    painted(
-                        camera,
-                        radiance,
-                        settings,
-                        |_, y| y,
-                        |samples, _| sum(samples),
-                    )
-                },
-            ),
-        ],
-        ..Exercise::default()
     }
 }
 
@@ -94,36 +54,4 @@ fn pixel(
     };
     let image = picture(&camera, &radiance, &settings).ok()?;
     image.get(x, y).map(Color::channels)
-}
-
-/// The picture with another row of the camera, and another colour of a pixel: of the colours of
-/// its samples and their wanted number.
-fn painted(
-    camera: &dyn Camera,
-    radiance: Radiance,
-    settings: &Settings,
-    row: fn(Size, u32) -> u32,
-    pixel: fn(&[Color], u32) -> Color,
-) -> Result<Image, Error> {
-    let (size, sampler) = (settings.size, Sampler::new(settings));
-    Image::from_fn(size, |x, y| {
-        let mut samples = Vec::new();
-        for place in sampler.places(x, y) {
-            let (x, y) = camera_coordinates(size, x, row(size, y), place);
-            samples.push(radiance(&camera.ray_for(size, x, y)));
-        }
-        pixel(&samples, settings.samples)
-    })
-}
-
-fn mean(samples: &[Color], _: u32) -> Color {
-    sum(samples) * (1.0 / samples.len() as f64)
-}
-
-fn sum(samples: &[Color]) -> Color {
-    let mut sum = Color::BLACK;
-    for color in samples {
-        sum += *color;
-    }
-    sum
 }

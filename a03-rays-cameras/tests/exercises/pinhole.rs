@@ -17,7 +17,6 @@ pub fn exercise() -> Exercise<Code> {
             let camera = new(([0.0; 3], FRAC_PI_2))?;
             paint(&*camera, &|ray: &Ray| sky.radiance(ray, 1), settings)
         }),
-        wrong: mistakes_with_angle(|(e, angle)| Ok((axes(e)?, angle))),
         ..cameras(Cameras {
             words: "pinhole at {}, field of view {}",
             first: ([0.0; 3], FRAC_PI_2),
@@ -25,10 +24,4 @@ pub fn exercise() -> Exercise<Code> {
             any: |r| (r.triple(9.0), r.between(0.2, 2.8)),
         })
     }
-}
-
-/// A pinhole at a point, as a camera that looks along -z.
-fn axes(e: [f64; 3]) -> Made<Basis> {
-    let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-    Basis::new(point(e), gaze, up)
 }

@@ -29,7 +29,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: numbers.into(),
         picture: Picture::own(points),
-        ..Exercise::default()
     }
 }
 

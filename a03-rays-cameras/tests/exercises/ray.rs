@@ -12,8 +12,6 @@ pub struct Code {
     pub t_of: fn(&Ray, Point3) -> f64,
 }
 
-type Other = Variant<Code>;
-
 pub fn exercise() -> Exercise<Code> {
     let rays = Questions {
         words: "ray from {} along {}, t = {}, point {}",
@@ -36,26 +34,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(points_and_feet),
-        wrong: vec![
-            Other::from_right("t is no distance: d may have any length", |right| Code {
-                t_of: |ray, p| (p - ray.origin()).magnitude(),
-                ..right
-            }),
-            Other::from_right("the dot product has the length of d twice", |right| Code {
-                t_of: |ray, p| (p - ray.origin()).dot(unit(ray)),
-                ..right
-            }),
-            Other::from_right("t counts steps of d, of any length", |right| Code {
-                at: |ray, t| ray.origin() + unit(ray) * t,
-                ..right
-            }),
-        ],
-        ..Exercise::default()
     }
-}
-
-fn unit(ray: &Ray) -> Vector3 {
-    ray.direction().normalized().unwrap_or_default()
 }
 
 /// Rays with directions of different lengths, each an arrow; their points at t = 0, 1, 2 and so on, in

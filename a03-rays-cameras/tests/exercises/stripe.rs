@@ -10,8 +10,6 @@ yours! { Sky => |camera: &PinholeCamera, size, stripes, ray: &Ray| Ok(Sky::new(c
 /// stripes.
 pub type Code = fn(&PinholeCamera, Size, u32, &Ray) -> Made<u32>;
 
-type Other = Variant<Code>;
-
 pub fn exercise() -> Exercise<Code> {
     let rays = Questions {
         words: "field of view {}, {} stripes, direction {}",
@@ -45,37 +43,5 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&camera, &radiance, settings)
         }),
-        wrong: vec![
-            Other::new(
-                "above the picture is the last stripe",
-                |camera, size, n, ray| {
-                    Ok(((height(camera, size, ray) + 1.0) / 2.0 * f64::from(n)) as u32)
-                },
-            ),
-            Other::new("stripes are counted from below", |camera, size, n, ray| {
-                let number = (1.0 - height(camera, size, ray)) / 2.0 * f64::from(n);
-                Ok((number as u32).min(n - 1))
-            }),
-            Other::new(
-                "n stripes fill the picture, not n - 1",
-                |camera, size, n, ray| {
-                    Ok(((height(camera, size, ray) + 1.0) / 2.0 * f64::from(n - 1)) as u32)
-                },
-            ),
-            Other::new(
-                "a number of a stripe is rounded down",
-                |camera, size, n, ray| {
-                    let number = (height(camera, size, ray) + 1.0) / 2.0 * f64::from(n);
-                    Ok((number.round() as u32).min(n - 1))
-                },
-            ),
-        ],
-        ..Exercise::default()
     }
-}
-
-/// The height of a ray, from -1 at the lower edge to 1 at the upper one.
-fn height(camera: &PinholeCamera, size: Size, ray: &Ray) -> f64 {
-    let upper = camera.generate_ray(size, f64::from(size.width()) / 2.0, 0.0);
-    ray.direction().y() / upper.direction().y()
 }

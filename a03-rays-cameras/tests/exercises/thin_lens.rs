@@ -30,7 +30,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(walls),
-        ..Exercise::default()
     }
 }
 

@@ -46,7 +46,6 @@ pub fn exercise() -> Exercise<Code> {
                 checkerboard(p, n) * 0.7 + Color::gray(0.15)
             })
         }),
-        ..Exercise::default()
     }
 }
 

@@ -7,14 +7,9 @@ use crate::prelude::*;
 yours! { nearest }
 
 type Code = fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)>;
-type Other = Variant<Code>;
 
 /// The z of the spheres, in three orders.
 const ORDERS: [[f64; 3]; 3] = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
-
-fn right(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
-    world.hit(ray, within).map(|(hit, number)| (hit, *number))
-}
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
@@ -29,36 +24,6 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&*scene_5()?.camera, &color, settings)
         }),
-        wrong: vec![
-            Other::new("an object has a number of its own", |world, ray, within| {
-                let (hit, number) = right(world, ray, within)?;
-                let mut places = world.objects().map(|(_, number)| *number);
-                Some((hit, places.position(|other| other == number)?))
-            }),
-            Other::new("the nearest counts, not the last", |world, ray, within| {
-                let (hit, number) = hits(world, ray, within).pop()?;
-                Some((turned(hit, hit.geometric_normal, ray), number))
-            }),
-            Other::new(
-                "the nearest counts, not the last; and that normals are turned",
-                |world, ray, within| hits(world, ray, within).pop(),
-            ),
-            Other::new(
-                "a hit before the interval hides one in it",
-                |world, ray, within| {
-                    let nearest = right(world, ray, Interval::AHEAD);
-                    nearest.filter(|(hit, _)| within.contains(hit.t))
-                },
-            ),
-            Other::new(
-                "the face, not the normal, says what is seen",
-                |world, ray, within| {
-                    let (hit, number) = right(world, ray, within)?;
-                    Some((turned(hit, hit.normal, ray), number))
-                },
-            ),
-        ],
-        ..Exercise::default()
     }
 }
 
@@ -111,13 +76,4 @@ fn world(r: f64, centres: &[[f64; 3]]) -> Made<World<usize>> {
         world = world.with(Sphere::new(point(*centre), r)?, *number);
     }
     Ok(world)
-}
-
-/// All hits, each the nearest of its object.
-fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> Vec<(Hit, usize)> {
-    let mut hits = Vec::new();
-    for (shape, number) in world.objects() {
-        hits.extend(shape.hit(ray, within).map(|hit| (hit, *number)));
-    }
-    hits
 }

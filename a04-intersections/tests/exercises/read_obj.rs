@@ -57,7 +57,6 @@ pub fn exercise() -> Exercise<Code> {
             };
             eye.show_shapes(house, settings)
         }),
-        ..Exercise::default()
     }
 }
 

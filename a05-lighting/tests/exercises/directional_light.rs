@@ -9,7 +9,6 @@ yours! {
 }
 
 type Code = LightAt<(Color, [f64; 3])>;
-type Other = Variant<Code>;
 
 const COLOR: Color = Color::new(1.0, 0.5, 0.25);
 
@@ -21,19 +20,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit.scene("phong-directional"),
-        wrong: vec![Other::from_right(
-            "a direction without a length leads nowhere",
-            |right| {
-                light_at(move |(c, direction), p| {
-                    let nowhere = Illumination {
-                        color: c,
-                        direction: vector(direction),
-                        distance: f64::INFINITY,
-                    };
-                    right((c, direction), p).or(Some(nowhere))
-                })
-            },
-        )],
         ..lights([Lights {
             words: "light {} that travels along {}",
             first: (COLOR, [0.0, -2.0, 0.0]),

@@ -35,6 +35,5 @@ pub fn exercise() -> Exercise<Code> {
                 hemisphere([diffuse, sky, ground], hit.normal)
             })
         }),
-        ..Exercise::default()
     }
 }

@@ -43,39 +43,14 @@ pub struct Lights<P> {
 }
 
 /// Asks lights of one kind after the other: the first of each kind at simple places, and then any
-/// one; and the mistakes that all lights may have.
+/// one.
 pub fn lights<P: Input + 'static>(
     lights: impl IntoIterator<Item = Lights<P>>,
 ) -> Exercise<LightAt<P>> {
     Exercise {
         questions: lights.into_iter().flat_map(Lights::questions).collect(),
-        usual: vec![
-            mistake("the direction leads to the light", |light| Illumination {
-                direction: -light.direction,
-                ..light
-            }),
-            mistake("the direction has length 1", |light| Illumination {
-                direction: light.direction * light.distance.min(9.0),
-                ..light
-            }),
-            mistake("the distance says which objects cast shadows", |light| {
-                Illumination {
-                    distance: 1.0,
-                    ..light
-                }
-            }),
-        ],
         ..Exercise::default()
     }
-}
-
-fn mistake<P: 'static>(
-    about: &'static str,
-    flawed: fn(Illumination) -> Illumination,
-) -> Variant<LightAt<P>> {
-    Variant::from_right(about, move |right: LightAt<P>| {
-        light_at(move |parameters, p| right(parameters, p).map(flawed))
-    })
 }
 
 impl<P: Input + 'static> Lights<P> {

@@ -25,7 +25,7 @@ pub struct Materials<P> {
 }
 
 /// Asks materials of one kind after the other: the first of each kind on simple surfaces, and then
-/// any one; and the mistakes that all materials may have.
+/// any one.
 pub fn materials<P: Input + 'static>(
     materials: impl IntoIterator<Item = Materials<P>>,
 ) -> Exercise<Shading<P>> {
@@ -34,53 +34,8 @@ pub fn materials<P: Input + 'static>(
             .into_iter()
             .flat_map(Materials::questions)
             .collect(),
-        usual: vec![
-            mistake("the normal counts, not the face", |hit, _| {
-                hit.normal = hit.geometric_normal;
-            }),
-            mistake("a surface reflects the colour of the light", |_, light| {
-                for arriving in &mut light.lights {
-                    arriving.color = Color::WHITE;
-                }
-            }),
-            mistake("light from behind adds nothing", |hit, light| {
-                for arriving in &mut light.lights {
-                    let side = hit.normal.dot(arriving.direction).signum();
-                    arriving.direction = arriving.direction * side;
-                }
-            }),
-            mistake(
-                "the ambient light counts once, not for each light",
-                |_, light| light.ambient = light.ambient * light.lights.len() as f64,
-            ),
-            mistake("the light of several lamps adds up", |_, light| {
-                let lights = light.lights.len() as f64;
-                for arriving in &mut light.lights {
-                    arriving.color = arriving.color * (1.0 / lights);
-                }
-            }),
-        ],
         ..Exercise::default()
     }
-}
-
-/// Shading that takes the hit and the light that it receives to be other ones.
-fn mistake<P: 'static>(
-    about: &'static str,
-    change: fn(&mut Hit, &mut ReceivedLight),
-) -> Variant<Shading<P>> {
-    Variant::from_right(about, move |right: Shading<P>| {
-        shading(move |parameters, ray, hit, lighting| {
-            let mut light = ReceivedLight {
-                ambient: lighting.ambient(),
-                lights: Vec::new(),
-            };
-            lighting.for_each_light(ray, hit, &mut |arriving| light.lights.push(*arriving));
-            let mut hit = *hit;
-            change(&mut hit, &mut light);
-            right(parameters, ray, &hit, &light)
-        })
-    })
 }
 
 impl<P: Input + 'static> Materials<P> {

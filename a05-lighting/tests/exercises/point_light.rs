@@ -5,7 +5,6 @@ use crate::prelude::*;
 yours! { point_light => light_at(|(c, lamp), p| point_light(c, point(lamp), p)) }
 
 type Code = LightAt<(Color, [f64; 3])>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
@@ -15,19 +14,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit.scene("phong"),
-        wrong: vec![Other::from_right(
-            "this lamp is as bright at every distance",
-            |right| {
-                light_at(move |parameters, p| {
-                    let light = right(parameters, p)?;
-                    let square = light.distance * light.distance;
-                    Some(Illumination {
-                        color: light.color * (1.0 / square),
-                        ..light
-                    })
-                })
-            },
-        )],
         ..lights([Lights {
             words: "light {} at {}",
             first: (Color::new(1.0, 0.5, 0.25), LAMP),

@@ -11,7 +11,6 @@ yours! {
 }
 
 type Code = LightAt<Cone>;
-type Other = Variant<Code>;
 
 /// Colour, place and axis of a lamp, and the half angle.
 type Cone = (Color, [f64; 3], [f64; 3], f64);
@@ -24,24 +23,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit.scene("phong-spot"),
-        wrong: vec![
-            Other::new(
-                "a wide cone shines behind the lamp, too",
-                textbook(angle, |angle, half| angle <= half.min(PI / 2.0)),
-            ),
-            Other::new(
-                "the half angle is in radians, not in degrees",
-                textbook(angle, |angle, half| angle <= half.to_radians()),
-            ),
-            Other::new(
-                "the axis leads away from the lamp, the light's direction to it",
-                textbook(angle, |angle, half| PI - angle <= half),
-            ),
-            Other::new(
-                "a cosine may round to more than 1, which has no arc cosine",
-                textbook(libm::acos, |angle, half| angle <= half),
-            ),
-        ],
         ..lights([1.0, PI].map(|half_angle| Lights {
             words: "light {} at {}, axis {}, half angle {}",
             first: (
@@ -73,19 +54,4 @@ fn at_borders() -> Vec<(Cone, [f64; 3])> {
         }
     }
     points
-}
-
-/// The angle of a cosine, which rounding may make greater than 1.
-fn angle(cosine: f64) -> f64 {
-    libm::acos(cosine.clamp(-1.0, 1.0))
-}
-
-/// The light where a function accepts the angle of the point, which another one makes of its
-/// cosine, and the half angle.
-fn textbook(angle: fn(f64) -> f64, accepts: fn(f64, f64) -> bool) -> Code {
-    light_at(move |(c, lamp, axis, half_angle), p| {
-        let light = PointLight::new(c, point(lamp)).ok()?.illumination(p)?;
-        let cosine = unit(axis).dot(-light.direction);
-        accepts(angle(cosine), half_angle).then_some(light)
-    })
 }

@@ -74,7 +74,7 @@ impl Departure {
             "a ray that begins at the hit: it is not moved"
         } else if step.dot(hit.geometric_normal) * slope <= 0.0 {
             "a ray from the wrong side of the surface"
-        } else if step.magnitude() > 1e-9 * Numbers::of(&ray, &hit).sum() {
+        } else if step.magnitude() > 1e-9 * with_errors(&ray, &hit) {
             "a ray that begins far away"
         } else if again.is_some() {
             "a ray that hits the surface again"
@@ -85,31 +85,9 @@ impl Departure {
     }
 }
 
-/// The numbers at a hit that have rounding errors.
-pub struct Numbers {
-    /// The largest coordinate of the ray's origin.
-    pub origin: f64,
-    /// The largest coordinate of the point.
-    pub point: f64,
-    /// The parameter of the ray.
-    pub t: f64,
-    /// The scale of the shape.
-    pub scale: f64,
-}
-
-impl Numbers {
-    /// Those of this hit.
-    pub fn of(ray: &Ray, hit: &Hit) -> Self {
-        Self {
-            origin: ray.origin().largest_coordinate(),
-            point: ray.at(hit.t).largest_coordinate(),
-            t: hit.t,
-            scale: hit.scale,
-        }
-    }
-
-    /// Their sum.
-    pub fn sum(&self) -> f64 {
-        self.origin + self.point + self.t + self.scale
-    }
+/// The sum of the numbers at a hit that have rounding errors: the largest coordinates of the ray's origin
+/// and of the point, the parameter of the ray, and the scale of the shape.
+fn with_errors(ray: &Ray, hit: &Hit) -> f64 {
+    let (origin, point) = (ray.origin(), ray.at(hit.t));
+    origin.largest_coordinate() + point.largest_coordinate() + hit.t + hit.scale
 }

@@ -1,12 +1,10 @@
 //! Rays in random worlds of mirrors, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::mirror::trace as right;
 
 yours! { trace }
 
 type Code = fn(&ShadowedWorld, &Ray, u32) -> Color;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     // To the background, to the floor, which mirrors it, and to the triangle.
@@ -47,46 +45,6 @@ pub fn exercise() -> Exercise<Code> {
                 trace(world, ray, depth)
             })
         }),
-        wrong: vec![
-            Other::new("the last surface mirrors black", |world, ray, depth| {
-                right(world, ray, depth + 1)
-            }),
-            Other::new("a mirror shows other mirrors, too", |world, ray, depth| {
-                right(world, ray, depth.min(2))
-            }),
-            Other::new("a mirror reflects a part of the light, not all", unweighted),
-            Other::new("what a dark mirror reflects counts, too", until_dark),
-            Other::new(
-                "in a small world a step of fixed length leads through the next mirror",
-                |world, ray, depth| {
-                    let tracer = Tracer {
-                        world,
-                        is_shadowed: &is_shadowed,
-                        secondary_ray: &|ray, hit, direction| {
-                            Ray::derived(ray.at(hit.t) + direction * 1e-6, direction)
-                        },
-                    };
-                    tracer.trace(ray, depth)
-                },
-            ),
-            Other::new(
-                "a mirror is seen by its normal, not by its face",
-                |world, ray, depth| {
-                    reflected(world, ray, depth, |to_eye, hit| {
-                        to_eye.reflected_on(hit.geometric_normal)
-                    })
-                },
-            ),
-            Other::new(
-                "the formula wants a vector away from the surface",
-                |world, ray, depth| {
-                    reflected(world, ray, depth, |to_eye, hit| {
-                        (-to_eye).reflected_on(hit.normal)
-                    })
-                },
-            ),
-        ],
-        ..Exercise::default()
     }
 }
 
@@ -130,52 +88,4 @@ fn between_two_mirrors() -> Vec<CodeQuestion<Code>> {
         },
     };
     rays.into()
-}
-
-/// The sum of all surfaces that a ray meets, without their weights.
-fn unweighted(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
-    let (mut sum, mut ray) = (Color::BLACK, *ray);
-    for _ in 0..depth {
-        let Some((hit, surface)) = world.objects().hit(&ray, Interval::AHEAD) else {
-            return sum + world.objects().background();
-        };
-        sum += surface.color_for(&ray, &hit, &RecursiveTracer::new(world));
-        let direction = (-ray.direction()).reflected_on(hit.normal);
-        ray = secondary_ray(&ray, &hit, direction);
-    }
-    sum
-}
-
-/// The sum that ends where no byte of a picture would change.
-fn until_dark(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
-    let (mut sum, mut ray, mut weight) = (Color::BLACK, *ray, Color::WHITE);
-    for _ in 0..depth {
-        let [r, g, b] = weight.channels();
-        if r.max(g).max(b) < 1.0 / 255.0 {
-            break;
-        }
-        let Some((hit, surface)) = world.objects().hit(&ray, Interval::AHEAD) else {
-            return sum + weight * world.objects().background();
-        };
-        sum += weight * surface.color_for(&ray, &hit, &RecursiveTracer::new(world));
-        weight = weight * surface.mirror_reflectance();
-        let direction = (-ray.direction()).reflected_on(hit.normal);
-        ray = secondary_ray(&ray, &hit, direction);
-    }
-    sum
-}
-
-/// The recursion, whose reflected rays go along this direction, by that to the eye.
-fn reflected(
-    world: &ShadowedWorld,
-    ray: &Ray,
-    depth: u32,
-    direction: fn(Vector3, &Hit) -> Vector3,
-) -> Color {
-    let tracer = Tracer {
-        world,
-        is_shadowed: &is_shadowed,
-        secondary_ray: &|ray, hit, _| secondary_ray(ray, hit, direction(-ray.direction(), hit)),
-    };
-    tracer.trace(ray, depth)
 }

@@ -28,7 +28,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: surfaces.into(),
         picture: Picture::own(of_diamond),
-        ..Exercise::default()
     }
 }
 

@@ -38,7 +38,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(under_water),
-        ..Exercise::default()
     }
 }
 

@@ -7,7 +7,6 @@ use crate::prelude::*;
 yours! { is_shadowed => std::sync::Arc::new(is_shadowed) }
 
 type Code = Arc<dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool + Send + Sync>;
-type Other = Variant<Code>;
 
 /// A point of the floor, centre and radius of a ball, the direction to a lamp, and its distance.
 type Lit = ([f64; 3], ([f64; 3], f64), [f64; 3], f64);
@@ -31,28 +30,6 @@ pub fn exercise() -> Exercise<Code> {
                 tracer.trace(ray, depth)
             })
         }),
-        wrong: vec![
-            Other::new("objects beyond it cast none", up_to(|_| 1e300)),
-            Other::new("the lamp's ceiling blocks nothing", up_to(|d| d)),
-            Other::new("no length is fixed", up_to(|d| d - 1e-6)),
-            Other::new("an object before it is seen", up_to(|d| d * 0.99)),
-            Other::new(
-                "an object may be as near to it as a thousandth of the distance",
-                up_to(|d| d * 0.999),
-            ),
-            Other::new(
-                "an object may be nearer to the surface than a fixed length",
-                Arc::new(|world, ray, hit, light| {
-                    let to_light = Ray::derived(ray.at(hit.t), light.direction);
-                    let between = Interval {
-                        min: 1e-3,
-                        max: light.distance * (1.0 - 1e-6),
-                    };
-                    world.hit(&to_light, between).is_some()
-                }),
-            ),
-        ],
-        ..Exercise::default()
     }
 }
 
@@ -146,13 +123,4 @@ fn answer(is_shadowed: &Code, (p, (centre, radius), to_lamp, distance): Lit) -> 
         ..Illumination::default()
     };
     Some(is_shadowed(world.objects(), &ray, &hit, &light))
-}
-
-/// Whether anything is hit from the surface on, up to an end that follows from the distance.
-fn up_to(end: fn(f64) -> f64) -> Code {
-    Arc::new(move |world, ray, hit, light| {
-        let to_light = secondary_ray(ray, hit, light.direction);
-        let between = Interval::before(end(light.distance));
-        world.hit(&to_light, between).is_some()
-    })
 }

@@ -5,12 +5,6 @@ use crate::prelude::*;
 yours! { chain }
 
 type Code = fn(&[Step]) -> [Mat4x4; 2];
-type Other = Variant<Code>;
-
-fn right(steps: &[Step]) -> [Mat4x4; 2] {
-    let transform = transform(steps);
-    [transform.matrix(), transform.inverse()]
-}
 
 pub fn exercise() -> Exercise<Code> {
     let (turn, step) = (Step::Rotate(2, FRAC_PI_2), Step::Translate([2.0, 0.0, 0.0]));
@@ -35,22 +29,6 @@ pub fn exercise() -> Exercise<Code> {
             let [_, inverse] = chain(&steps_of_box());
             Ok(world.with(under_inverse(upright_box()?, inverse), yellow()?))
         }),
-        wrong: vec![
-            Other::new("the last step is applied first", |steps| {
-                let reversed: Vec<_> = steps.iter().rev().copied().collect();
-                right(&reversed)
-            }),
-            Other::new("the last step is undone last", |steps| {
-                let mut inverses = inverses(steps);
-                inverses.reverse();
-                [right(steps)[0], product(&inverses)]
-            }),
-            Other::new("only a turn is undone by its transpose", |steps| {
-                let [matrix, _] = right(steps);
-                [matrix, matrix.transposed()]
-            }),
-        ],
-        ..Exercise::default()
     }
 }
 
@@ -62,17 +40,4 @@ fn under_inverse(child: AxisAlignedBox, inverse: Mat4x4) -> impl Geometry {
         let n = inverse.transposed() * Vector3::from(normal);
         Some(Hit::new(t, n.normalized()?.as_normal()))
     })
-}
-
-/// The inverses, of which the first undoes the last step.
-fn inverses(steps: &[Step]) -> Vec<Mat4x4> {
-    steps.iter().rev().map(|step| step.inverse()).collect()
-}
-
-fn product(factors: &[Mat4x4]) -> Mat4x4 {
-    let mut product = Mat4x4::IDENTITY;
-    for factor in factors {
-        product = product * *factor;
-    }
-    product
 }

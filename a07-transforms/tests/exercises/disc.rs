@@ -6,7 +6,6 @@ yours! { Disc => new_shape(|(c, n, r)| Disc::new(point(c), vector(n).as_normal()
 
 /// Makes a disc of centre, normal and radius.
 type Code = NewShape<([f64; 3], [f64; 3], f64)>;
-type Other = Variant<Code>;
 
 const SCENE: LitScene = LitScene {
     name: "disc",
@@ -26,16 +25,6 @@ pub fn exercise() -> Exercise<Code> {
             let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
             Ok(world.with(plane, Box::new(red)).with(disc, Box::new(green)))
         }),
-        wrong: vec![
-            Other::new(
-                "the rim belongs to the disc",
-                by_distance(|distance, r| distance < r),
-            ),
-            Other::new(
-                "a distance is compared with the radius, a square with its square",
-                by_distance(|distance, r| distance * distance <= r),
-            ),
-        ],
         ..shapes(Shapes {
             words: "disc around {}, normal {}, radius {}",
             first: ([0.0; 3], [0.0, 1.0, 0.0], 2.0),
@@ -49,16 +38,4 @@ pub fn exercise() -> Exercise<Code> {
             any: |r| (r.triple(3.0), r.triple(5.0), r.between(0.5, 4.0)),
         })
     }
-}
-
-/// The hits of the plane that are on the disc, by their distance from the centre and the radius.
-fn by_distance(is_on_disc: fn(f64, f64) -> bool) -> Code {
-    new_shape(move |(c, n, r)| {
-        let c = point(c);
-        let plane = Plane::new(c, vector(n).as_normal())?;
-        Ok(own(move |ray: &Ray, within| {
-            let hit = plane.hit(ray, within)?;
-            is_on_disc((ray.at(hit.t) - c).magnitude(), r).then_some(hit)
-        }))
-    })
 }

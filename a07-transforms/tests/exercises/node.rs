@@ -27,7 +27,6 @@ impl Input for Parts {
 }
 
 type Code = NewShape<Parts>;
-type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
@@ -38,32 +37,6 @@ pub fn exercise() -> Exercise<Code> {
             })?;
             Ok(world.with(node, yellow()?))
         }),
-        wrong: vec![
-            Other::new(
-                "the nearest counts, not the first of the list",
-                of_all_hits(Choice {
-                    hit: |hits| hits.into_iter().next(),
-                    ..RIGHT
-                }),
-            ),
-            Other::new(
-                "both normals are led out of the node",
-                of_all_hits(Choice {
-                    geometric_normal: |_, normal| Some(normal),
-                    ..RIGHT
-                }),
-            ),
-            Other::new(
-                "t counts steps of the direction, whose length the transform changes",
-                of_all_hits(Choice {
-                    inner_ray: |ray| {
-                        let direction = ray.direction().normalized();
-                        Ray::derived(ray.origin(), direction.unwrap_or_default())
-                    },
-                    ..RIGHT
-                }),
-            ),
-        ],
         ..shapes(Shapes {
             words: "two balls and a triangle under {}",
             first: Parts {
@@ -101,38 +74,4 @@ fn balls_and_triangle() -> Made<Vec<Shape>> {
     let [small, large] = [0.5, 1.0].map(|r| Sphere::new(Point3::ORIGIN, r));
     let triangle = smooth_triangle(2.0)?;
     Ok(vec![Box::new(small?), Box::new(large?), Box::new(triangle)])
-}
-
-/// A way from the hits of all children to that of the node.
-#[derive(Clone, Copy)]
-struct Choice {
-    /// The ray for the children, made of the one in their space.
-    inner_ray: fn(Ray) -> Ray,
-    /// One of the hits.
-    hit: fn(Vec<Hit>) -> Option<Hit>,
-    /// Its geometric normal in the space around the node.
-    geometric_normal: fn(&Transform, Normal3) -> Option<Normal3>,
-}
-
-const RIGHT: Choice = Choice {
-    inner_ray: |ray| ray,
-    hit: |hits| hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t)),
-    geometric_normal: Transform::normal_from_object,
-};
-
-fn of_all_hits(choice: Choice) -> Code {
-    new_shape(move |Parts { steps, children }| {
-        let (transform, children) = (transform(&steps), children()?);
-        Ok(own(move |ray: &Ray, within| {
-            let ray = (choice.inner_ray)(transform.ray_to_object(ray));
-            let mut hits = Vec::new();
-            for child in &children {
-                hits.extend(child.hit(&ray, within));
-            }
-            let mut hit = (choice.hit)(hits)?;
-            hit.normal = transform.normal_from_object(hit.normal)?;
-            hit.geometric_normal = (choice.geometric_normal)(&transform, hit.geometric_normal)?;
-            Some(hit)
-        }))
-    })
 }

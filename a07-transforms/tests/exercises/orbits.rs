@@ -33,7 +33,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: times.into(),
         picture: lit(eye, twelve_months),
-        ..Exercise::default()
     }
 }
 

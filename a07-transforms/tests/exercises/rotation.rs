@@ -34,7 +34,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rotations.into(),
         picture: lit(eye, wheel),
-        ..Exercise::default()
     }
 }
 

@@ -15,8 +15,6 @@ pub struct Code {
     pub normal_from_object: fn(&Transform, Normal3) -> Option<Normal3>,
 }
 
-type Other = Variant<Code>;
-
 const SCENE: LitScene = LitScene {
     name: "sphere-transformation",
     eye: 20.0,
@@ -53,41 +51,6 @@ pub fn exercise() -> Exercise<Code> {
             let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
             Ok(world.with(ellipsoid(*code)?, Box::new(material)))
         }),
-        wrong: vec![
-            Other::from_right("the inverse leads to the object", |right| Code {
-                ray_to_object: forward,
-                ..right
-            }),
-            Other::from_right("the direction keeps its length", |right| Code {
-                ray_to_object: shortened,
-                ..right
-            }),
-            Other::from_right(
-                "a direction is not moved, because it is no point",
-                |right| Code {
-                    ray_to_object: |t, ray| {
-                        let d = ray.direction();
-                        let end = t.inverse() * Point3::new(d.x(), d.y(), d.z());
-                        Ray::derived(t.inverse() * ray.origin(), end - Point3::ORIGIN)
-                    },
-                    ..right
-                },
-            ),
-            Other::from_right("an origin is moved, because it is no direction", |right| {
-                Code {
-                    ray_to_object: |t, ray| {
-                        let o = t.inverse() * (ray.origin() - Point3::ORIGIN);
-                        Ray::derived(Point3::ORIGIN + o, t.inverse() * ray.direction())
-                    },
-                    ..right
-                }
-            }),
-            Other::from_right("a normal is no vector", |right| Code {
-                normal_from_object: |t, n| unit(t.matrix() * Vector3::from(n)),
-                ..right
-            }),
-        ],
-        ..Exercise::default()
     }
 }
 
@@ -99,18 +62,4 @@ fn ellipsoid(code: Code) -> Made<impl Geometry> {
         let normal = (code.normal_from_object)(&transform, hit.normal)?;
         Some(Hit::new(hit.t, normal))
     }))
-}
-
-fn unit(v: Vector3) -> Option<Normal3> {
-    v.normalized().map(Vector3::as_normal)
-}
-
-fn forward(t: &Transform, ray: &Ray) -> Ray {
-    Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction())
-}
-
-fn shortened(t: &Transform, ray: &Ray) -> Ray {
-    let ray = t.ray_to_object(ray);
-    let d = ray.direction().normalized();
-    Ray::derived(ray.origin(), d.unwrap_or_default())
 }

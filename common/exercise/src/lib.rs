@@ -10,8 +10,10 @@
 mod answer;
 mod input;
 mod mistake;
+mod proof;
 mod question;
 mod record;
+mod renewal;
 mod row;
 mod student_output;
 mod text;

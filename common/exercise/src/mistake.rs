@@ -2,12 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::Answer;
 use crate::row::{NoSingleAnswer, Row, Tolerance};
-use crate::{Answer, Question};
-
-/// The most answers of a mistake that are recorded; of the others it is known that they are
-/// wrong.
-const MOST: usize = 4;
 
 /// A mistake of learners, and how code that makes it answers the questions of an exercise. Its
 /// answers are the right ones in the rows that nothing is said about.
@@ -19,39 +15,25 @@ pub struct Mistake {
     pub answers: BTreeMap<usize, (Answer, Tolerance)>,
     /// Further rows with wrong answers, which are not recorded.
     pub further_wrong_rows: BTreeSet<usize>,
-    /// Rows in which rounding decides what code with this mistake answers.
+    /// Rows in which rounding decides what code with this mistake answers, or of which nothing is known.
     pub undecided_rows: BTreeSet<usize>,
 }
 
 impl Mistake {
-    /// The mistake of this code, which answers the questions of the rows by their numbers, and
-    /// input.
-    pub fn new(
-        overlooks: &str,
-        rows: &[Row],
-        questions: &[Question],
-        code: &dyn Fn(usize, &[f64]) -> Answer,
-    ) -> Self {
-        let mut mistake = Self {
-            overlooks: overlooks.to_owned(),
-            ..Self::default()
-        };
-        for (number, (row, question)) in rows.iter().zip(questions).enumerate() {
-            let code = |input: &[f64]| code(number, input);
-            let answer = code(&question.input);
-            if !matches!(row.difference(&answer), Ok(Some(_))) {
-                continue;
-            }
-            let tolerance = Tolerance::at(question, &answer, &code);
-            if mistake.answers.len() < MOST {
-                mistake.answers.insert(number, (answer, tolerance));
-            } else if tolerance == Tolerance::RoundingDecides {
-                mistake.undecided_rows.insert(number);
-            } else {
-                mistake.further_wrong_rows.insert(number);
-            }
+    /// The answers of a program that makes this mistake, with the right ones where nothing is known.
+    #[must_use]
+    pub fn answers(&self, rows: &[Row]) -> Vec<Answer> {
+        let mut answers = Vec::new();
+        for (number, row) in rows.iter().enumerate() {
+            answers.push(match self.answers.get(&number) {
+                Some((answer, _)) => answer.clone(),
+                None if self.further_wrong_rows.contains(&number) => {
+                    Answer::words("another answer")
+                }
+                None => row.answer.clone(),
+            });
         }
-        mistake
+        answers
     }
 
     /// The number of wrong answers that this mistake explains; `None` if an answer contradicts it.

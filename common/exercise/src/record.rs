@@ -1,10 +1,10 @@
 //! `Record`: the right answers of an exercise and those of known mistakes, in a text file.
 //!
-//! A line begins with the word that says what it is. `=` has the right answer to the next question, and
-//! after `~` how far its numbers may move, beside their own rounding: nothing where they must not,
-//! and `rounding decides` where every answer is right. `mistake` begins a known mistake: the numbers
-//! of the rows, from 1, in which code with this mistake is `wrong`, or in which `either` answer is
-//! possible; and its answers to some questions.
+//! A line begins with the word that says what it is. `?` has the key of the next question, after `=`
+//! the right answer to it, and after `~` how far its numbers may move, beside their own rounding:
+//! nothing where they must not, and `rounding decides` where every answer is right. `mistake` begins
+//! a known mistake: the numbers of the rows, from 1, in which code with this mistake is `wrong`, or
+//! in which `either` answer is possible; and its answers to some questions.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -23,7 +23,7 @@ pub struct Record {
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for row in &self.rows {
-            write!(f, "= {}", text::answer(&row.answer))?;
+            write!(f, "? {} = {}", row.key, text::answer(&row.answer))?;
             write_tolerance(f, &row.tolerance)?;
             writeln!(f)?;
         }
@@ -71,10 +71,15 @@ impl Record {
     fn read_line(&mut self, line: &str) -> Option<()> {
         let (word, mut rest) = line.split_once(' ')?;
         match word {
-            "=" => {
+            "?" => {
+                let (key, mut rest) = rest.split_once(" = ")?;
                 let answer = text::take_answer(&mut rest)?;
                 let tolerance = read_tolerance(&mut rest, &answer);
-                self.rows.push(Row { answer, tolerance });
+                self.rows.push(Row {
+                    key: key.to_owned(),
+                    answer,
+                    tolerance,
+                });
             }
             "mistake" => self.mistakes.push(Mistake {
                 overlooks: rest.to_owned(),
@@ -135,6 +140,7 @@ mod tests {
             .and("again", hard)
             .and("", words);
         let row = |tolerance| Row {
+            key: "7f03a1".to_owned(),
             answer: answer.clone(),
             tolerance,
         };

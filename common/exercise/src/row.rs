@@ -68,6 +68,8 @@ fn rounded(change: f64) -> f64 {
 /// The right answer to a question.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
+    /// The key of the question.
+    pub key: String,
     /// The right answer.
     pub answer: Answer,
     /// How far another right answer may be from it.
@@ -79,7 +81,11 @@ impl Row {
     pub fn new(question: &Question, code: &dyn Fn(&[f64]) -> Answer) -> Self {
         let answer = code(&question.input);
         let tolerance = Tolerance::at(question, &answer, code);
-        Self { answer, tolerance }
+        Self {
+            key: question.key.clone(),
+            answer,
+            tolerance,
+        }
     }
 
     /// The first value of the right answer from which another one differs, and what it is.

@@ -7,15 +7,13 @@
 //!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut out of the
 //!    starter.
 //! 2. The check, `tests/exercises/NAME.rs`, has a function `exercise()`, which returns an
-//!    [`Exercise`]: for each sentence of the task a simple question, some random ones, a picture,
-//!    and, in the core path, the mistakes that learners make. A mistake is one row:
-//!    the fact that it overlooks, and a function that makes code with this mistake of right code.
+//!    [`Exercise`]: for each sentence of the task a simple question, some random ones, and a picture.
 //!    [`yours!`](crate::yours) is the student's code in the form that the questions take. A line
 //!    `mod NAME;` in `tests/exercises/main.rs` adds it.
 //! 3. `INSTA_UPDATE=always cargo test -p STAGE --test exercises -- NAME` records the right answers
-//!    and those of the mistakes in `exercises/answers/NAME.txt`; without the variable it proves the
-//!    exercise, shows the messages that students read, and leaves the picture of the solution in
-//!    `out/exercises/`.
+//!    in `exercises/answers/NAME.txt`, where known mistakes keep the answers that fit the questions; without
+//!    the variable it proves the exercise, shows the messages that students read, and leaves the picture
+//!    of the solution in `out/exercises/`.
 
 #[cfg(not(target_family = "wasm"))]
 mod assertion;
@@ -33,7 +31,7 @@ mod prove;
 #[cfg(not(target_family = "wasm"))]
 mod student;
 
-pub use self::exercise::{CodeQuestion, Exercise, Picture, Questions, Variant, all};
+pub use self::exercise::{CodeQuestion, Exercise, Picture, Questions, all};
 pub use crate::random::{Random, random};
 pub use ::exercise::{Answer, Input, assert_close, input};
 pub use common::ArgumentError;
@@ -103,10 +101,6 @@ macro_rules! exercises {
         mod yours {
             $(#[cfg(any($name, rust_analyzer))] pub mod $name;)+
         }
-
-        // Mistakes call the right code. A student's program asks none.
-        #[cfg(learn)]
-        use yours as solutions;
 
         #[cfg(not(learn))]
         #[path = "../../exercises/solutions"]

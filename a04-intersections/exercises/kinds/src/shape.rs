@@ -4,11 +4,11 @@ use std::fmt;
 use std::sync::Arc;
 
 use a02_math::arrays::array;
-use a02_math::{Direction, Normal3, Point3};
+use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Triangle};
 use testing::exercises::{
-    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, all, random,
+    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, all, random,
 };
 
 use crate::rays::{self, RAY, RayWithin, ray_within};
@@ -93,15 +93,6 @@ fn end_answer(has_hit: bool) -> Answer {
     })
 }
 
-/// The hit with its normals turned, if this one of them looks along the ray.
-#[must_use]
-pub fn turned(mut hit: Hit, by: Normal3, ray: &Ray) -> Hit {
-    if by.dot(ray.direction()) > 0.0 {
-        (hit.normal, hit.geometric_normal) = (-hit.normal, -hit.geometric_normal);
-    }
-    hit
-}
-
 /// The hit of a ray ahead of its origin, for examples.
 pub fn hit_from(o: [f64; 3], d: [f64; 3], shape: &dyn Geometry) -> Option<Hit> {
     let (ray, ahead) = ray_within((o, d, 0.0, f64::INFINITY));
@@ -133,12 +124,10 @@ const RANDOM: usize = 5;
 /// How many times random rays are asked of a shape.
 const TIMES: usize = 5;
 
-/// Asks the first shape with simple rays, and some random ones; and the mistakes that all shapes may
-/// have.
+/// Asks the first shape with simple rays, and some random ones.
 pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<NewShape<P>> {
     Exercise {
         questions: shapes.questions(),
-        usual: usual_mistakes(),
         ..Exercise::default()
     }
 }
@@ -197,62 +186,4 @@ impl<P: Input + 'static> Shapes<P> {
         };
         all([hits.into(), parts.into()])
     }
-}
-
-fn usual_mistakes<P: 'static>() -> Vec<Variant<NewShape<P>>> {
-    vec![
-        mistake("the interval decides, no epsilon", |shape, ray, within| {
-            let min = 1e-6;
-            shape.hit(ray, Interval { min, ..within })
-        }),
-        mistake(
-            "the ends do not belong to the interval",
-            |shape, ray, within| {
-                // The next numbers are inside of the shape's own open interval.
-                let closed = Interval {
-                    min: within.min.next_down(),
-                    max: within.max.next_up(),
-                };
-                shape.hit(ray, closed)
-            },
-        ),
-        mistake("a short direction is not parallel", |shape, ray, within| {
-            let is_long = ray.direction().magnitude() > 1e-6;
-            shape.hit(ray, within).filter(|_| is_long)
-        }),
-        mistake("a short direction is not parallel", |shape, ray, within| {
-            let is_long = ray.direction().magnitude() > 1e-15;
-            shape.hit(ray, within).filter(|_| is_long)
-        }),
-        mistake("t counts steps, not lengths", |shape, ray, within| {
-            let mut hit = shape.hit(ray, within)?;
-            hit.t *= ray.direction().magnitude();
-            Some(hit)
-        }),
-        mistake("a normal does not turn to the ray", |shape, ray, within| {
-            let hit = shape.hit(ray, within)?;
-            Some(turned(hit, hit.geometric_normal, ray))
-        }),
-        mistake("a shape has a far side, too", |shape, ray, within| {
-            let is_front = |hit: &Hit| hit.geometric_normal.dot(ray.direction()) < 0.0;
-            shape.hit(ray, within).filter(is_front)
-        }),
-    ]
-}
-
-type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
-
-fn mistake<P: 'static>(about: &'static str, hit: Flaw) -> Variant<NewShape<P>> {
-    Variant::from_right(about, move |right: NewShape<P>| changed(right, hit))
-}
-
-/// Shapes whose hits a function finds with those of other shapes.
-pub fn changed<P: 'static>(
-    shapes: NewShape<P>,
-    hit: impl Fn(&dyn Geometry, &Ray, Interval) -> Option<Hit> + Copy + Send + Sync + 'static,
-) -> NewShape<P> {
-    new_shape(move |parameters| {
-        let shape = shapes(parameters)?;
-        Ok(own(move |ray: &Ray, within| hit(&*shape, ray, within)))
-    })
 }

@@ -1,4 +1,4 @@
-//! `Exercise`: the questions, the picture and the known mistakes of an exercise.
+//! `Exercise`: the questions and the picture of an exercise.
 
 use common::{Error, Image, Settings, Size};
 use exercise::{Answer, Input, Question};
@@ -15,10 +15,6 @@ pub struct Exercise<C> {
     pub questions: Vec<CodeQuestion<C>>,
     /// The picture that the code paints.
     pub picture: Picture<C>,
-    /// Mistakes that all code of its kind may have, such as all shapes.
-    pub usual: Vec<Variant<C>>,
-    /// Further mistakes.
-    pub wrong: Vec<Variant<C>>,
 }
 
 /// An exercise without questions.
@@ -27,8 +23,6 @@ impl<C> Default for Exercise<C> {
         Self {
             questions: Vec::new(),
             picture: Picture::None,
-            usual: Vec::new(),
-            wrong: Vec::new(),
         }
     }
 }
@@ -63,29 +57,6 @@ impl<C> Picture<C> {
     /// A picture by the code, to be looked at.
     pub fn own(render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static) -> Self {
         Self::Own(Box::new(render))
-    }
-}
-
-/// A mistake of learners.
-pub struct Variant<C> {
-    /// The fact that the mistake overlooks, after which learners read "that".
-    pub overlooks: &'static str,
-    /// Makes code with this mistake of the right code.
-    pub make: Box<dyn Fn(C) -> C>,
-}
-
-impl<C: Clone + 'static> Variant<C> {
-    /// The mistake of this code.
-    pub fn new(overlooks: &'static str, code: C) -> Self {
-        Self::from_right(overlooks, move |_| code.clone())
-    }
-
-    /// The mistake of code that is derived from the right code.
-    pub fn from_right(overlooks: &'static str, make: impl Fn(C) -> C + 'static) -> Self {
-        Self {
-            overlooks,
-            make: Box::new(make),
-        }
     }
 }
 

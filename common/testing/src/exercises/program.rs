@@ -7,7 +7,7 @@ use std::path::Path;
 use common::difference::{compare_with_file, largest, leave_pictures, worst_pixel};
 use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
-use exercise::{Answer, Mistake, Record, Row, StudentAnswer, Verdict, verdict};
+use exercise::{Record, Row, StudentAnswer, Verdict, verdict};
 
 use super::assertion::is_rounding;
 use super::exercise::{Exercise, Picture, own_settings};
@@ -61,15 +61,6 @@ impl<C: 'static> Program<'_, C> {
             rows.push(Row::new(&asked.question, &code));
         }
         rows
-    }
-
-    /// Its answers, as those of code with a mistake.
-    pub fn mistake(&self, overlooks: &str, rows: &[Row]) -> Mistake {
-        let asked = &self.exercise.questions;
-        let questions: Vec<_> = asked.iter().map(|asked| asked.question.clone()).collect();
-        let code =
-            |number: usize, input: &[f64]| -> Answer { (asked[number].answer)(self.code, input) };
-        Mistake::new(overlooks, rows, &questions, &code)
     }
 
     /// Whether a part of its code is missing.

@@ -1,4 +1,4 @@
-//! `prove`: proves the exercises of a stage by starters, solutions and mistakes, and locks the
+//! `prove`: proves the exercises of a stage by starters, solutions and known mistakes, and locks the
 //! recorded answers.
 
 use std::error::Error;
@@ -7,7 +7,7 @@ use std::{env, fs, panic};
 
 use common::difference::{compare_with_file, leave_pictures};
 use common::{Transfer, picture_file};
-use exercise::Record;
+use exercise::{Record, Row};
 use libtest_mimic::{Arguments, Trial};
 
 use super::exercise::{Exercise, Picture};
@@ -53,8 +53,8 @@ struct Author {
     records: bool,
 }
 
-/// Proves that starters are to do, that solutions are accepted with their examples, that mistakes are
-/// refused and recognised, and that the recorded answers are those of the solutions. A solution in
+/// Proves that starters are to do, that solutions are accepted with their examples, that known mistakes
+/// are wrong and recognised, and that the recorded answers are those of the solutions. A solution in
 /// which something is missing, as in a workbook for students, is not proved.
 ///
 /// The arguments are those of every test. With a part of a name, the messages about mistakes are
@@ -83,11 +83,7 @@ pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
 
 impl<C: 'static> Codes<C> {
     fn prove(&self, name: &str, author: &Author) -> Proof {
-        let mut exercise = (self.exercise)();
-        let mistakes = exercise.usual.drain(..).chain(exercise.wrong.drain(..));
-        let mistakes: Vec<_> = mistakes
-            .map(|mistake| (mistake.overlooks, (mistake.make)((self.solution)())))
-            .collect();
+        let exercise = (self.exercise)();
         let folder = &author.folder;
         let solution = Program {
             exercise: &exercise,
@@ -103,30 +99,21 @@ impl<C: 'static> Codes<C> {
         if !starter.is_unfinished() {
             return Err("nothing is missing in the starter".into());
         }
-        let rows = solution.rows();
-        let mut record = Record::default();
-        for (overlooks, code) in &mistakes {
-            let program = Program { code, ..solution };
-            record.mistakes.push(program.mistake(overlooks, &rows));
-        }
-        record.rows = rows;
-        author.compare(name, &record, &exercise.picture)?;
-
+        let record = author.compare(name, solution.rows(), &exercise.picture)?;
         let found = solution.run(self.examples, &record, folder, author.reader());
         if !found.verdict.wrong.is_empty() {
             return Err(format!("the solution: {}", found.verdict.wrong.join("\n")).into());
         }
         author.compare_picture(name, &found)?;
-        for (overlooks, code) in &mistakes {
-            let program = Program { code, ..solution };
-            let found = program.run(|| (), &record, folder, author.reader());
-            let known = found.verdict.known.as_deref().unwrap_or_default();
+        let asked = exercise.questions.iter();
+        let questions: Vec<_> = asked.map(|asked| asked.question.text.clone()).collect();
+        for mistake in &record.mistakes {
+            let overlooks = &mistake.overlooks;
+            let verdict = record.prove(mistake, &questions);
+            let verdict = verdict.map_err(|problem| format!("mistake {overlooks}: {problem}"))?;
             if author.is_shown {
-                let wrong = found.verdict.wrong.join("\n  ");
-                println!("{overlooks}\n  {wrong}\n  {known}");
-            }
-            if !known.ends_with(&format!(" that {overlooks}")) {
-                return Err(format!("{overlooks}: accepted, or taken for another: {known}").into());
+                let known = verdict.known.unwrap_or_default();
+                println!("{}\n{known}\n", verdict.wrong.join("\n"));
             }
         }
         Ok(())
@@ -142,26 +129,40 @@ impl Author {
         }
     }
 
-    /// Records answers and the picture of a scene with few samples, or fails if the recorded ones
-    /// differ.
-    fn compare<C>(&self, name: &str, record: &Record, picture: &Picture<C>) -> Proof {
+    /// Records the rows of the solution and the picture of a scene with few samples, or fails if the
+    /// recorded ones differ. Known mistakes stay.
+    fn compare<C>(
+        &self,
+        name: &str,
+        rows: Vec<Row>,
+        picture: &Picture<C>,
+    ) -> Result<Record, Box<dyn Error>> {
         let file = self.folder.record_file(name);
+        let recorded = if self.records && !file.exists() {
+            Record::default()
+        } else {
+            self.folder.record(name)?
+        };
         let picture = match picture {
             Picture::Scene(scene, _) => self.folder.recorded_picture(scene)?,
             _ => None,
         };
-        let answers = record.to_string();
         if self.records {
-            fs::write(file, answers)?;
+            let (record, messages) = recorded.with_rows(rows);
+            for message in messages {
+                println!("{name}: {message}");
+            }
+            fs::write(file, record.to_string())?;
             if let Some((file, image)) = picture {
                 picture_file::save_png(&file, image.size(), &image.to_rgb8(Transfer::Linear))?;
             }
-            return Ok(());
+            return Ok(record);
         }
         if let Some((file, image)) = picture {
             compare_with_file(&file, &image)?;
         }
-        let recorded = fs::read_to_string(&file)?;
+        let record = Record { rows, ..recorded };
+        let (recorded, answers) = (fs::read_to_string(&file)?, record.to_string());
         let mut lines = (1..).zip(recorded.lines().zip(answers.lines()));
         if let Some((line, (old, new))) = lines.find(|(_, (old, new))| old != new) {
             return Err(format!(
@@ -173,7 +174,7 @@ impl Author {
         if recorded != answers {
             return Err("the recorded answers are incomplete".into());
         }
-        Ok(())
+        Ok(record)
     }
 
     /// Fails if the picture is not the one of this name in the book.
