@@ -1,6 +1,7 @@
 //! The difference of a picture from the expected one, in words and in pictures.
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use crate::{Color, Image, Transfer, picture_file};
 
@@ -90,21 +91,17 @@ pub fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
 /// returns a message with their paths.
 #[must_use]
 pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, difference: &str) -> String {
-    let name = expected.file_name().unwrap_or_default().to_string_lossy();
-    let write = |suffix: &str, image: &Image| {
-        let path = scratch.join(name.replace(".png", suffix));
+    let write = |kind: &str, image: &Image| {
+        let path = left_picture(scratch, expected, kind);
         let written = picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear));
         written.map_or_else(|error| error.to_string(), |()| path.display().to_string())
     };
     let mut report = vec![
         difference.to_owned(),
-        format!("  actual:     {}", write(".actual.png", actual)),
+        format!("  actual:     {}", write("actual", actual)),
     ];
     if let Ok(expected) = picture_file::open(expected) {
-        report.push(format!(
-            "  expected:   {}",
-            write(".expected.png", &expected)
-        ));
+        report.push(format!("  expected:   {}", write("expected", &expected)));
         if let Some(([column, row], most)) = largest(&expected, actual) {
             // Small differences are seen, too.
             let (times, apart) = (255 / most.max(1), apart(&expected, actual));
@@ -122,7 +119,7 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
             });
             let path = shown.map_or_else(
                 |error| error.to_string(),
-                |shown| write(".difference.png", &shown),
+                |shown| write("difference", &shown),
             );
             report.push(format!(
                 "  difference: {path}{scale}, the largest in a yellow frame"
@@ -130,6 +127,20 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
         }
     }
     report.join("\n")
+}
+
+/// Removes the pictures that [`leave_pictures`] has written: the picture is right.
+pub fn remove_pictures(scratch: &Path, expected: &Path) {
+    for kind in ["actual", "expected", "difference"] {
+        // Mostly there is none.
+        let _ = fs::remove_file(left_picture(scratch, expected, kind));
+    }
+}
+
+/// The file of a picture of this kind.
+fn left_picture(scratch: &Path, expected: &Path, kind: &str) -> PathBuf {
+    let name = Path::new(expected.file_name().unwrap_or_default());
+    scratch.join(name.with_extension(format!("{kind}.png")))
 }
 
 #[cfg(test)]

@@ -54,7 +54,11 @@ fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Ou
                 "the workbook is at fault: the starter of this exercise does not compile",
             ));
         }
-        _ => return Ok(wrong(&sandbox.words(&built, "does not compile"))),
+        _ => {
+            let words = learn::lacks(&built.output);
+            let words = words.unwrap_or_else(|| sandbox.words(&built, "does not compile"));
+            return Ok(wrong(&words));
+        }
     }
     let program = learn::find_program(&built.output, "test")?;
     let ended = sandbox.run(Limits::Check, Place::Workbook, [program])?;

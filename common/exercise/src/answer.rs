@@ -202,17 +202,7 @@ impl<T: Into<Self>> From<Option<T>> for Answer {
     }
 }
 
-/// An assertion of an example, of numbers that formulas may round differently.
-///
-/// # Panics
-///
-/// Panics with the difference if there is one.
-#[track_caller]
-pub fn assert_close(yours: impl Into<Answer>, right: impl Into<Answer>) {
-    assert_close_about("an example", yours, right);
-}
-
-/// As [`assert_close`], with words about the example.
+/// An assertion of an example, with words about it, of numbers that formulas may round differently.
 ///
 /// # Panics
 ///
@@ -227,12 +217,12 @@ pub fn assert_close_about(about: &str, yours: impl Into<Answer>, right: impl Int
     }
 }
 
-/// An assertion of an example, with words about it or without: `assert_close!(1.0 + 1.0, 2.0, "a sum")`.
+/// An assertion of an example, with words about it or its own: `assert_close!(1.0 + 1.0, 2.0, "a sum")`.
 /// Formulas may round its numbers differently.
 #[macro_export]
 macro_rules! assert_close {
     ($yours:expr, $right:expr $(,)?) => {
-        $crate::assert_close($yours, $right)
+        $crate::assert_close_about(stringify!($yours), $yours, $right)
     };
     ($yours:expr, $right:expr, $about:expr $(,)?) => {
         $crate::assert_close_about($about, $yours, $right)

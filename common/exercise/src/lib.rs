@@ -19,7 +19,7 @@ mod student_output;
 mod text;
 mod verdict;
 
-pub use answer::{Answer, assert_close, assert_close_about};
+pub use answer::{Answer, assert_close_about};
 pub use input::Input;
 pub use mistake::Mistake;
 pub use question::Question;

@@ -1,5 +1,6 @@
 //! `judge`: checks a student's file: builds the test program of a stage with it, and runs it.
 
+use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io};
@@ -12,7 +13,7 @@ use crate::exercise::Exercise;
 use crate::files;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
-use crate::process::run;
+use crate::process::{limited, run};
 use crate::progress::Progress;
 use crate::report::Report;
 use crate::screen::Space;
@@ -59,9 +60,9 @@ fn build_and_run(
 ) -> Result<Option<Report>, String> {
     match build(e, space, watcher)? {
         Build::Program(program) => {
-            let mut check = Command::new(program);
+            let mut check = limited(program.as_ref());
             check.envs(variable.map(|variable| (variable, "1")));
-            run_check(e, check, space, watcher)
+            run_check(e, check, program.as_ref(), space, watcher)
         }
         Build::Failed(printed) => Ok(Some(does_not_compile(e, printed))),
         Build::Stopped => Ok(None),
@@ -69,28 +70,46 @@ fn build_and_run(
 }
 
 fn does_not_compile(e: &Exercise, printed: String) -> Report {
+    let lacks = lacks(&printed);
+    let place = format!("{}:", text::path(&files::yours(e)));
     // The compiler would send the student into the check.
-    let words = if printed.contains("tests/exercises/") {
-        "the check calls your code by the names and in the forms of the starter; look at yours"
-    } else {
-        ""
+    let words = match lacks {
+        Some(lacks) if !printed.contains(&place) => return Report::new(e, &lacks),
+        Some(lacks) => lacks,
+        None if printed.contains("tests/exercises/") => {
+            "the check calls your code by the names and in the forms of the starter; look at yours"
+                .to_owned()
+        }
+        None => String::new(),
     };
     Report {
         printed,
-        words: words.to_owned(),
+        words,
         ..Report::new(e, "does not compile")
     }
+}
+
+/// The words about names that the check imports from a student's file, as its `module`, and that are not there, by
+/// what the compiler prints; none if all are there.
+#[must_use]
+pub fn lacks(printed: &str) -> Option<String> {
+    let mut names = Vec::new();
+    for import in printed.split("`module::").skip(1) {
+        let (name, _) = import.split_once('`')?;
+        names.push(format!("`{name}`"));
+    }
+    (!names.is_empty()).then(|| format!("the file lacks {}", names.join(" and ")))
 }
 
 /// Runs the test program. There is no report if the watcher stops it.
 fn run_check(
     e: &Exercise,
     mut check: Command,
+    program: &Path,
     space: Space,
     watcher: Watcher,
 ) -> Result<Option<Report>, String> {
-    let program = check.get_program().to_owned();
-    let with_path = files::with_path(program.as_ref());
+    let with_path = files::with_path(program);
     let (output, to_output) = io::pipe().map_err(&with_path)?;
     check.env("RUST_BACKTRACE", "0").env(MARKED, "1");
     check.stdout(to_output.try_clone().map_err(&with_path)?);
@@ -112,6 +131,10 @@ fn run_check(
         Some(_) if output.overflows_stack() => (
             false,
             "the stack overflows, probably by a recursion without end".to_owned(),
+        ),
+        Some(_) if output.exhausts_memory() => (
+            false,
+            "it needs more memory than the limit of 2 GiB, probably for a list that grows without end".to_owned(),
         ),
         // The program says why.
         Some(_) => (false, "not yet".to_owned()),

@@ -22,6 +22,8 @@ mod report;
 mod screen;
 pub mod sheet;
 mod submit;
+#[cfg(unix)]
+mod terminal;
 mod watch;
 mod wrap;
 
@@ -34,6 +36,7 @@ use common::text;
 
 pub use build::{arguments, find_program};
 use exercise::Exercise;
+pub use judgement::lacks;
 use judgement::{ask_corpus, judge};
 use phase::Phase;
 use progress::Progress;

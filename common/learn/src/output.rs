@@ -46,6 +46,12 @@ impl Output {
         String::from_utf8_lossy(&self.kept).contains("has overflowed its stack")
     }
 
+    /// Whether the program has ended because it got no more memory, in the words of Rust's runtime.
+    pub fn exhausts_memory(&self) -> bool {
+        let printed = String::from_utf8_lossy(&self.kept);
+        printed.contains("memory allocation of ") && printed.contains(" bytes failed")
+    }
+
     /// Adds a line of the program, after which the check may have begun one of its own.
     fn add(&mut self, line: &[u8]) {
         let Some(at) = line.iter().position(|byte| *byte == WORDS_MARK as u8) else {

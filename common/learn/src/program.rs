@@ -89,16 +89,23 @@ impl Program {
                 "{main} calls them after the lines: mod functions; use functions::*;"
             ));
         }
+        if brought.has_new_libraries {
+            let words =
+                "its Cargo.toml has new libraries: the next build takes about half a minute";
+            lines.push(words.to_owned());
+        }
         Ok(lines.join("\n"))
     }
 }
 
-/// The names of exercises by what has become of their files.
+/// What is brought: the names of exercises by what has become of their files.
 #[derive(Default)]
 struct Brought {
     yours: Vec<&'static str>,
     workbooks: Vec<&'static str>,
     edited: Vec<&'static str>,
+    /// Whether the next build compiles libraries.
+    has_new_libraries: bool,
 }
 
 /// Writes the functions of all stages up to the last one in which an exercise of the core path is
@@ -159,7 +166,7 @@ fn bring(
         ));
     }
     write(&path, &functions)?;
-    manifest::complete(folder, libraries)?;
+    brought.has_new_libraries = manifest::complete(folder, libraries)?;
     Ok(brought)
 }
 

@@ -29,7 +29,8 @@ opt-level = 3
 ";
 
 /// Adds to the manifest what it lacks: the build profile, `libm`, and these stages, which are optimised, too.
-pub fn complete(folder: &Path, stages: &[&str]) -> Result<(), String> {
+/// Returns whether it lacked something.
+pub fn complete(folder: &Path, stages: &[&str]) -> Result<bool, String> {
     let path = folder.join(MANIFEST);
     let before = fs::read_to_string(&path).map_err(with_path(&path))?;
     if !before.contains(DEPENDENCIES) {
@@ -67,9 +68,10 @@ pub fn complete(folder: &Path, stages: &[&str]) -> Result<(), String> {
         }
     }
     if manifest == before {
-        return Ok(());
+        return Ok(false);
     }
     write(&path, &manifest)?;
     // The versions of libraries that the workbook is tested with, and has fetched.
-    write(&folder.join("Cargo.lock"), &files::read("Cargo.lock")?)
+    write(&folder.join("Cargo.lock"), &files::read("Cargo.lock")?)?;
+    Ok(true)
 }

@@ -1,19 +1,16 @@
 //! `Program`: the student's program, which draws one picture after the other within limits.
 
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf, absolute};
-use std::process::{Command, Stdio};
+use std::path::{PathBuf, absolute};
+use std::process::Stdio;
 use std::time::{Duration, Instant, SystemTime};
 use std::{env, fs, io};
 
 use crate::files::with_path;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
-use crate::process::run;
+use crate::process::{limited, run};
 use ::sheet::{Drawn, MARKED, Picture, Run, last_words, no_picture};
-
-/// The most memory of a program. Windows and macOS do not hold this limit.
-const KIB: u32 = 2 << 20;
 
 /// The student's program.
 pub struct Program {
@@ -95,18 +92,4 @@ impl Program {
             path.extension() == Some(OsStr::new("png")) && saved.is_ok_and(is_new)
         })
     }
-}
-
-/// The command that runs a program with a limit of memory, where a shell can set one.
-fn limited(program: &Path) -> Command {
-    if !cfg!(unix) {
-        return Command::new(program);
-    }
-    let mut shell = Command::new("sh");
-    // Some shells end where a limit cannot be set.
-    let script = format!(
-        "(ulimit -d {KIB}) 2>/dev/null && ulimit -d {KIB}; ulimit -c 0; exec \"$0\" \"$@\""
-    );
-    shell.args(["-c", &script]).arg(program);
-    shell
 }

@@ -4,7 +4,9 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use common::difference::{compare_with_file, largest, leave_pictures, worst_pixel};
+use common::difference::{
+    compare_with_file, largest, leave_pictures, remove_pictures, worst_pixel,
+};
 use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
 use exercise::{Record, Row, StudentAnswer, Verdict, verdict};
@@ -92,12 +94,16 @@ impl<C: 'static> Program<'_, C> {
         reader: Reader,
     ) -> Findings {
         take_missing();
+        let example = catch_unwind(examples);
+        let example_fails = example.is_err_and(|panic| !is_rounding(&message(&*panic)));
+        let given = self.given();
+        // Then an example and the picture panic, too, and the questions say where.
+        let panics = given.iter().any(|given| given.answer.is_none());
         let mut before = Vec::new();
-        if catch_unwind(examples).is_err_and(|panic| !is_rounding(&message(&*panic))) {
+        if example_fails && !panics {
             let fails = "an example at the end of the file fails, with the message above";
             before.push(fails.to_owned());
         }
-        let given = self.given();
         let mut verdict = verdict(record, &given);
         let missing = take_missing();
         let is_right = verdict.wrong.is_empty() && missing.is_empty();
@@ -122,7 +128,9 @@ impl<C: 'static> Program<'_, C> {
                 None
             }
             Err(_) => {
-                before.push("it panics, with the message above".to_owned());
+                if !panics {
+                    before.push("the picture: it panics, with the message above".to_owned());
+                }
                 None
             }
         };
@@ -165,11 +173,13 @@ fn compare_scene(
     let (image, yours) = with_chosen_pixel(worst, || render(&settings));
     let image = painted.insert(image?);
     let mut difference = difference(&file, image);
-    if let Some(words) = &mut difference
-        && reader != Reader::Grader
-    {
-        // A grader's sandbox has no place for pictures.
-        *words = leave_pictures(&folder.pictures(), &file, image, words);
+    // A grader's sandbox has no place for pictures.
+    if reader != Reader::Grader {
+        let scratch = folder.pictures();
+        match &mut difference {
+            Some(words) => *words = leave_pictures(&scratch, &file, image, words),
+            None => remove_pictures(&scratch, &file),
+        }
     }
     let mut divergence = None;
     if let (Ok(rays), Some(yours)) = (scene.rays(), yours) {
