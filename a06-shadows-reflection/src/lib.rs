@@ -23,6 +23,6 @@ pub use mirror_direction::mirror_direction;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;
 pub use scenes::diagonal_camera;
-pub use secondary_ray::secondary_ray;
+pub use secondary_ray::{rounding_error, secondary_ray};
 pub use shadow::is_shadowed;
 pub use surface::Surface;

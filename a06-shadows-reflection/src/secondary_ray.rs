@@ -33,7 +33,8 @@ pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
 }
 
 /// The greatest distance of the computed hit from its surface.
-pub(crate) fn rounding_error(ray: &Ray, hit: &Hit) -> f64 {
+#[must_use]
+pub fn rounding_error(ray: &Ray, hit: &Hit) -> f64 {
     let largest = ray
         .origin()
         .largest_coordinate()

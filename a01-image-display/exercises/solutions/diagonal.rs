@@ -5,7 +5,7 @@ use crate::prelude::*;
 /// A picture whose pixels are red where column and row are the same, both counted from
 /// the top left, and black elsewhere.
 ///
-/// `Image::black(size)?` is a black picture; `image.set(x, y, color)` paints a pixel.
+/// `size.width()` and `size.height()` are the numbers of columns and rows. `Image::black(size)?` is a black picture; `image.set(x, y, color)` paints a pixel.
 pub fn diagonal(size: Size) -> Result<Image, Error> {
     // 1. Begin with a black picture.
     // 2. Visit the places whose column and row are the same, up to the end of the shorter side.

@@ -5,6 +5,8 @@ use crate::prelude::*;
 /// A blue line on black, from the lower left pixel to the upper right one: one
 /// pixel in every column of a wide picture, one in every row of a high one, each
 /// as near to the line between the middles of both corners as a pixel can be.
+///
+/// `image.set(x, y, color)` paints a pixel.
 pub fn line(size: Size) -> Result<Image, Error> {
     let mut image = Image::black(size)?;
     // The last column and the last row.

@@ -5,6 +5,8 @@ use crate::prelude::*;
 /// The weights of the corners `a`, `b` and `c` in the point `p` of their plane:
 /// `p = α a + β b + γ c` with `α + β + γ = 1`. A point beside the plane has
 /// the weights of the foot of its perpendicular. None if the corners are on a line.
+///
+/// `u.dot(v)` and `u.cross(v)` are the products of vectors.
 pub fn barycentric(p: Point3, [a, b, c]: [Point3; 3]) -> Option<[f64; 3]> {
     missing!("the weights of the corners", None, {
         let n = (b - a).cross(c - a);

@@ -5,7 +5,7 @@ use crate::prelude::*;
 /// The vector `v`, which points away from a surface, reflected about the normal `n` of
 /// length 1: as far from the normal, on its other side.
 ///
-/// `Vector3::from(n)` is the normal as a vector, which has a sum and multiples.
+/// `n.dot(v)` is a dot product, and `Vector3::from(n)` the normal as a vector, which has a sum and multiples.
 pub fn reflected(v: Vector3, n: Normal3) -> Vector3 {
     // 1. Split v into the part along the normal and the rest.
     // 2. Reverse the part that changes its side.

@@ -5,6 +5,8 @@ use crate::prelude::*;
 /// The vector `v`, turned by `angle` in radians around an `axis` of any length:
 /// to the left for an eye towards which the axis points. Around no axis, which
 /// is the zero vector, nothing turns.
+///
+/// `u.dot(v)` and `u.cross(v)` are the products of vectors; `u.normalized()` is `None` for the zero vector.
 pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
     missing!("the turned vector", v, {
         let Some(k) = axis.normalized() else {

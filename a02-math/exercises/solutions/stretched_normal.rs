@@ -5,6 +5,8 @@ use crate::prelude::*;
 /// The normal of length 1 of a surface whose normal was `n` before all its
 /// points were stretched by these factors along x, y and z. None if a factor
 /// is 0, and for the zero normal.
+///
+/// A normal has `n.x()`, `n.y()` and `n.z()`; `n.normalized()` is `None` if it has no direction.
 pub fn stretched_normal(n: Normal3, factors: [f64; 3]) -> Option<Normal3> {
     missing!("the normal after the stretch", Some(n), {
         let [x, y, z] = factors;

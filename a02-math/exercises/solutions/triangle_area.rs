@@ -3,6 +3,8 @@
 use crate::prelude::*;
 
 /// The area of the triangle of these corners, in whatever order.
+///
+/// `u.cross(v)` is a cross product, and `v.magnitude()` the length of a vector.
 pub fn triangle_area(a: Point3, b: Point3, c: Point3) -> f64 {
     missing!("the area of the triangle", f64::NAN, {
         // Half the parallelogram.

@@ -17,7 +17,7 @@ impl PerspectiveCamera {
     /// A camera at `e` that looks along `g`, with `t` upwards in its picture. Both have
     /// any length, and need not be perpendicular to each other.
     ///
-    /// `vector.unit("its name")?` is the vector of length 1.
+    /// `vector.unit("its name")?` is the vector of length 1, and `a.cross(b)` the cross product.
     pub fn new(e: Point3, g: Vector3, t: Vector3, angle: f64) -> Result<Self, ArgumentError> {
         // 1. Take w against the gaze.
         // 2. Take u to the right: perpendicular to t and w.

@@ -8,7 +8,8 @@ use crate::prelude::*;
 /// `Sampler::new(settings)` has `samples()`, the number of samples of a pixel, and
 /// `places(column, row)`, their places in it. `camera_coordinates(size, column, row,
 /// place)` makes `(x, y)` for `camera.ray_for(size, x, y)` of this place. A colour is scaled by
-/// `color * number`.
+/// `color * number`. `size.width()` and `size.height()` are the numbers of columns and rows, and
+/// `image.set(column, row, color)` paints a pixel.
 pub fn picture(
     camera: &dyn Camera,
     radiance: &(dyn Fn(&Ray) -> Color + Sync),

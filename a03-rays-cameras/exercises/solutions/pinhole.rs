@@ -19,7 +19,8 @@ impl Camera for PinholeCamera {
     /// The ray through the position (`x`, `y`) of a picture of this size, with a direction of
     /// length 1. (0, 0) is the middle of the lower left pixel, whose corner is (-0.5, -0.5).
     ///
-    /// `Ray::derived(origin, direction)` makes a ray, `libm::tan(x)` the tangent.
+    /// `Ray::derived(origin, direction)` makes a ray, `libm::tan(x)` the tangent;
+    /// `vector.normalized()` is `None` for the zero vector.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let [width, height] = [size.width(), size.height()].map(f64::from);
         // 1. Count the position in pixels from the middle of the picture.

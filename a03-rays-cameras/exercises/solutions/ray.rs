@@ -13,6 +13,8 @@ pub fn at(ray: &Ray, t: f64) -> Point3 {
 
 /// The `t` of the ray's nearest point to `point`, which is `point` itself if it lies on
 /// the ray. The direction of the ray may have any length.
+///
+/// `a.dot(b)` is the dot product of vectors.
 pub fn t_of(ray: &Ray, point: Point3) -> f64 {
     // 1. Take the displacement from the origin to the point.
     // 2. Project it on the direction.

@@ -4,6 +4,8 @@ use crate::prelude::*;
 
 /// The ring that a ray in the `direction` meets: 0 around the `pole`, 1 around that, and so
 /// on, each as wide as the angle `width` in radians. Directions have any length but 0.
+///
+/// `a.angle(b)` is the angle between vectors.
 pub fn ring(direction: Vector3, pole: Vector3, width: f64) -> u32 {
     missing!("the number of the ring", 0, {
         (direction.angle(pole) / width) as u32

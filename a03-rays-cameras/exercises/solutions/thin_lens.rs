@@ -5,6 +5,8 @@ use crate::prelude::*;
 /// The ray through the place (`right`, `up`) of the lens, in lengths from the eye along `u`
 /// and `v` of the `basis`, instead of `ray`, which starts in the eye. Both meet in the plane
 /// across the gaze at the distance `focus`. The direction has length 1.
+///
+/// `a.dot(b)` is a dot product; `vector.normalized()` is `None` for the zero vector.
 pub fn through_lens(basis: &Basis, focus: f64, ray: &Ray, (right, up): (f64, f64)) -> Ray {
     missing!("the ray through the lens", *ray, {
         // Along the gaze the ray makes this much of its length.

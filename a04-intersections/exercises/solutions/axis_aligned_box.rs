@@ -21,6 +21,8 @@ impl Geometry for AxisAlignedBox {
     /// The nearest hit whose `t` lies within the interval, with the unit normal that points
     /// out of the box. The direction may have any length, and may be parallel to faces, which
     /// belong to the box: a ray within one hits it.
+    ///
+    /// `within.contains(t)` says whether a hit is valid, and `Hit::new(t, Normal3::new(x, y, z))` makes it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
         // 1. For each axis, find where the ray enters and leaves the slab between the two faces.

@@ -5,6 +5,9 @@ use crate::prelude::*;
 /// The colour of a surface at `p`, where its normal is `n`: the colour of the cube
 /// just below. Cubes have sides of 1. The one from (0, 0, 0) to (1, 1, 1) is
 /// white, and two that share a face have different colours.
+///
+/// `Vector3::from(n)` is the normal as a vector. A point has `p.x()`, `p.y()` and `p.z()`, and `p.to_glam()`
+/// has all three, with functions such as `floor()`.
 pub fn checkerboard(p: Point3, n: Normal3) -> Color {
     missing!("white and black", Color::gray(0.5), {
         // On a face between two cubes, rounding would choose one of them.

@@ -20,6 +20,10 @@ impl Cylinder {
 }
 
 impl Geometry for Cylinder {
+    /// The nearest hit of the wall within the interval, with the unit normal that points away from the axis.
+    ///
+    /// `ray.at(t)` is a point of the ray, with `x()`, `y()` and `z()`. `within.contains(t)` says whether a hit is
+    /// valid, and `Hit::new(t, Normal3::new(x, y, z))` makes it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin(), ray.direction());
         missing!("the first crossing that counts", None, {

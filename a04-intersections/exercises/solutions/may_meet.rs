@@ -3,6 +3,9 @@
 use crate::prelude::*;
 
 /// Whether the ray, from its origin on, comes to within `r` of `c`.
+///
+/// `ray.at(t)` is a point of the ray, `ray.t_of(point)` the t of its nearest point to another one, and
+/// `vector.magnitude()` a length.
 pub fn may_meet(c: Point3, r: f64, ray: &Ray) -> bool {
     missing!("whether the ray comes near enough", true, {
         // Points behind the origin are no part of the ray.

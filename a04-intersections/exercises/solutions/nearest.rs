@@ -5,7 +5,8 @@ use crate::prelude::*;
 /// The nearest hit within the interval, and the number of the object there.
 ///
 /// `for (geometry, number) in world.objects()` visits all objects. Where the face of the
-/// result looks along the ray, `hit.normal` and `hit.geometric_normal` are both turned.
+/// result looks along the ray, `hit.normal` and `hit.geometric_normal` are both turned;
+/// `n.dot(ray.direction())` is a dot product.
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
     // 1. Ask each object for its hit within the interval.
     // 2. Keep the nearest hit so far, and the number of its object.

@@ -21,7 +21,7 @@ impl Geometry for Plane {
     /// The hit, if its `t` lies within the interval, with the normal of the plane. The
     /// direction of the ray may have any length.
     ///
-    /// `p.dot(q)` is the dot product of vectors and normals, `within.contains(t)` says
+    /// A ray has `origin()` and `direction()`, `p.dot(q)` is the dot product of vectors and normals, `within.contains(t)` says
     /// whether the hit is valid, and `Hit::new(t, normal)` makes it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         // 1. Put the ray into the equation of the plane, and solve it for t.

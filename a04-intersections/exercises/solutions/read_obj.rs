@@ -24,7 +24,7 @@ pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
     Ok(triangles)
 }
 
-/// The point of three coordinates.
+/// The point of three coordinates, `Point3::new(x, y, z)`.
 fn corner(words: SplitWhitespace) -> Result<Point3, String> {
     missing!("the coordinates of a corner", Ok(Point3::ORIGIN), {
         let numbers = words.take(3).map(str::parse).collect::<Result<Vec<_>, _>>();
@@ -51,6 +51,7 @@ fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
 }
 
 /// The triangles of a face of three or more corners: all of them meet in the first.
+/// `Triangle::new(a, b, c)` is an error if the corners lie on a line.
 fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, String> {
     missing!("the triangles of a face", Ok(Vec::new()), {
         let around = words.map(|word| named(word, corners));

@@ -4,6 +4,8 @@ use crate::prelude::*;
 
 /// The distance of `p` from the plane through `a` with a normal `n` of any length but 0:
 /// positive on the side that `n` points to, negative on the far side, and 0 in the plane.
+///
+/// `v.dot(n)` is a dot product, `Vector3::from(n)` the normal as a vector, and `v.magnitude()` a length.
 pub fn signed_distance(a: Point3, n: Normal3, p: Point3) -> f64 {
     missing!("the distance from the plane, with its sign", f64::NAN, {
         // The dot product counts in the length of the normal.

@@ -19,7 +19,9 @@ impl Geometry for Sphere {
     /// The nearest hit whose `t` lies within the interval, with the unit normal that
     /// points out of the sphere. The direction of the ray may have any length.
     ///
-    /// `vector.normalized()?.as_normal()` is a normal of length 1.
+    /// A ray has `origin()` and `direction()`, and `a.dot(b)` is a dot product. `within.contains(t)` says
+    /// whether a hit is valid, `Hit::new(t, normal)` makes it, and `vector.normalized()?.as_normal()` is a
+    /// normal of length 1.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         // 1. Put the ray into the equation of the sphere: a quadratic equation for t.
         // 2. Return none if it has no root.

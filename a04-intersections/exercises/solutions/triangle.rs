@@ -20,6 +20,10 @@ impl Geometry for Triangle {
     /// The hit, if its `t` lies within the interval, with the normal of length 1 that
     /// points to the side from which a, b and c run counterclockwise. Edges and corners
     /// belong to the triangle.
+    ///
+    /// A ray has `origin()` and `direction()`; `a.dot(b)` and `a.cross(b)` are the products of vectors.
+    /// `within.contains(t)` says whether the hit is valid, `Hit::new(t, normal)` makes it, and
+    /// `vector.normalized()?.as_normal()` is a normal of length 1.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         // 1. Express the hit by a and fractions of the edges to b and c: three equations.
         // 2. Solve them for t and both fractions; return none where there is no single solution.

@@ -4,6 +4,9 @@ use crate::prelude::*;
 
 /// The light of one lamp that a hit reflects back along the ray:
 /// `cd cl max(0, n · l) + cs cl max(0, n · h)^p`.
+///
+/// `ray.direction()` leads from the eye to the hit. `a.dot(b)` is a dot product; `vector.normalized()` is `None`
+/// for the zero vector.
 pub fn blinn_phong(
     [cd, cs]: [Color; 2],
     p: f64,

@@ -4,6 +4,8 @@ use crate::prelude::*;
 
 /// The light that travels in a direction of any length, as it arrives at every point. None if
 /// the direction has no length.
+///
+/// `vector.normalized()` is `None` for the zero vector.
 pub fn directional_light(color: Color, direction: Vector3) -> Option<Illumination> {
     // 1. Find the direction to the light, of length 1; none if it has no length.
     // 2. Return it with the colour and the distance of a light beyond all objects.

@@ -4,6 +4,8 @@ use crate::prelude::*;
 
 /// The light that arrives at a point from a lamp, whose colour is that at the distance 1.
 /// None in the lamp itself.
+///
+/// A vector has `v.dot(v)`, `v.magnitude()` and `v.normalized()`, which is `None` for the zero vector.
 pub fn fading_light(color: Color, lamp: Point3, point: Point3) -> Option<Illumination> {
     missing!("colour, direction and distance of the light", None, {
         let way = lamp - point;

@@ -4,6 +4,8 @@ use crate::prelude::*;
 
 /// The colour of a surface with the normal `n`, of length 1, which scatters `diffuse` of the
 /// light of the whole sky and of the whole ground.
+///
+/// `n.dot(v)` is a dot product.
 pub fn hemisphere([diffuse, sky, ground]: [Color; 3], n: Normal3) -> Color {
     let up = Vector3::new(0.0, 1.0, 0.0);
     missing!("the light of sky and ground", diffuse * sky, {

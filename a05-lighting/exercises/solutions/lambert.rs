@@ -4,6 +4,10 @@ use crate::prelude::*;
 
 /// The light that a surface of this diffuse colour reflects from the hit back along the ray:
 /// of the ambient light and of each light that reaches the hit.
+///
+/// `lighting.ambient()` is the colour of the ambient light, and `lighting.for_each_light(ray, hit, &mut |light| …)`
+/// calls a function with each light that reaches the hit: its `color`, and its `direction`, which leads to it and
+/// has length 1. `a.dot(b)` is a dot product.
 pub fn lambert(diffuse: Color, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
     // 1. Begin with the ambient light.
     // 2. For each light that reaches the hit, find the cosine to the normal; none from behind.

@@ -5,7 +5,11 @@ use crate::prelude::*;
 /// The light that a shiny surface reflects from the hit back along the ray: of the ambient
 /// light and, matt and as a highlight, of each light that reaches the hit.
 ///
-/// `l.reflected_on(n)` is a direction mirrored by a surface, and `libm::pow(x, y)` a power.
+/// `lighting.ambient()` is the colour of the ambient light, and `lighting.for_each_light(ray, hit, &mut |light| …)`
+/// calls a function with each light that reaches the hit: its `color`, and its `direction`, which leads to it and
+/// has length 1. `a.dot(b)` is a dot product.
+/// `l.reflected_on(n)` is a direction mirrored by a surface, `libm::pow(x, y)` a power, and `ray.direction()`
+/// leads away from the eye.
 pub fn phong(
     [diffuse, specular]: [Color; 2],
     exponent: f64,

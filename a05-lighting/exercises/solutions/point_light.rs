@@ -4,6 +4,8 @@ use crate::prelude::*;
 
 /// The light of a lamp that arrives at a point: its colour, the direction of length 1 from
 /// the point to the lamp, and the distance. None in the lamp itself.
+///
+/// `vector.magnitude()` is a length; `vector.normalized()` is `None` for the zero vector.
 pub fn point_light(color: Color, lamp: Point3, point: Point3) -> Option<Illumination> {
     // 1. Take the displacement from the point to the lamp.
     // 2. Normalise it for the direction; none if it has no length.

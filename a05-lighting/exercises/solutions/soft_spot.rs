@@ -4,6 +4,8 @@ use crate::prelude::*;
 
 /// The light that arrives at a point from a lamp that shines along `direction`: full up to the
 /// angle `inner` from there, and gone from the larger angle `outer` on, both in radians.
+///
+/// `a.angle(b)` is the angle between vectors.
 pub fn soft_spot(
     color: Color,
     lamp: Point3,

@@ -5,7 +5,7 @@ use crate::prelude::*;
 /// The light of a lamp that arrives at a point in the cone around `axis`, which has length 1
 /// and leads away from the lamp. The half angle is in radians, up to π.
 ///
-/// `libm::cos(x)` is a cosine.
+/// `a.dot(b)` is a dot product, and `libm::cos(x)` a cosine.
 pub fn spot_light(
     color: Color,
     lamp: Point3,

@@ -6,7 +6,8 @@ use crate::prelude::*;
 /// surface. Its origin is `ray.at(hit.t)`, offset along the normal `hit.geometric_normal` of length 1 by
 /// more than its rounding error, and by far less than one could see.
 ///
-/// `point.largest_coordinate()` is the greatest magnitude of its coordinates.
+/// `point.largest_coordinate()` is the greatest magnitude of its coordinates, and `hit.scale` that of the numbers
+/// of the shape. `n.dot(v)` is a dot product, and `Vector3::from(n)` the normal as a vector.
 pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
     let on_surface = Ray::derived(ray.at(hit.t), direction);
     // 1. Bound the rounding error of the hit by the largest number in its computation.

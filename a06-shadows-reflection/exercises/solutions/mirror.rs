@@ -8,6 +8,7 @@ use crate::prelude::*;
 /// `world.objects()` has `hit(&ray, within)`, the nearest hit and its surface, and
 /// `background()`; a surface has `color_for(&ray, &hit, &lights)`, its own colour in the lights
 /// that it sees, and `mirror_reflectance()`. `secondary_ray(&ray, &hit, direction)` leaves the surface.
+/// `v.reflected_on(n)` mirrors a vector that points away from a surface; `ray.direction()` leads to it.
 pub fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
     let lights = RecursiveTracer::new(world);
     // 1. Find the nearest hit; a ray without one brings back the background.

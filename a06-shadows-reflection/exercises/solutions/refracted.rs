@@ -5,7 +5,7 @@ use crate::prelude::*;
 /// The direction of length 1 behind a surface with the normal `n`, or none if
 /// all light is mirrored. Both `d` and `n` have the length 1; `n` points out,
 /// and `d` goes in or out. Outside the refractive index is 1, inside it is
-/// `index`.
+/// `index`. `a.dot(b)` is a dot product.
 pub fn refracted(d: Vector3, n: Normal3, index: f64) -> Option<Vector3> {
     missing!("the direction behind the surface", Some(d), {
         let leaves = d.dot(n) > 0.0;

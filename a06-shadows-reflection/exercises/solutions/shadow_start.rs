@@ -7,7 +7,8 @@ use crate::prelude::*;
 /// surface may lie that the triangle stands for.
 ///
 /// The weights are the barycentric coordinates of p: at least 0, and their sum is 1. Each
-/// corner has a weight and a normal of length 1, which points to the side of the light.
+/// corner has a weight and a normal of length 1, which points to the side of the light. `v.dot(n)` is a
+/// dot product, and `Vector3::default()` the zero vector.
 pub fn shadow_start(corners: [Point3; 3], normals: [Normal3; 3], weights: [f64; 3]) -> Point3 {
     missing!("the start of the shadow ray", corners[0], {
         let [a, b, c] = corners;

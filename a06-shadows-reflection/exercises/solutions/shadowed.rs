@@ -5,7 +5,9 @@ use crate::prelude::*;
 /// Whether any object of the world lies between the hit of `ray` and a light.
 ///
 /// `secondary_ray(ray, hit, direction)` leaves the surface of a hit without hitting it again;
-/// `world.is_hit(&ray, within)` says whether any object is hit.
+/// `world.is_hit(&ray, within)` says whether any object is hit, and `Interval::before(t)` is the interval from 0
+/// to t. For a lamp on its ceiling there are `world.any_hit(&ray, within, &|hit| …)`, whether any hit counts, and
+/// `rounding_error(&ray, &hit)`, the greatest distance of a hit from its surface.
 pub fn is_shadowed(
     world: &World<Box<dyn Surface>>,
     ray: &Ray,

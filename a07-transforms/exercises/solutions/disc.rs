@@ -19,6 +19,9 @@ impl Disc {
 
 impl Geometry for Disc {
     /// The hit, if its `t` lies within the interval, with the normal of the plane.
+    ///
+    /// `self.plane.hit(ray, within)` is the hit of the plane, `ray.at(t)` a point of the ray, and `v.dot(v)` the
+    /// square of a length.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         // 1. Find the hit of the plane.
         // 2. Keep it if it is within the radius of the centre.

@@ -5,6 +5,8 @@ use crate::prelude::*;
 /// The transforms that move earth and moon from the origin, where the sun is, to their
 /// places: the earth by 5 along the x axis, turned by `year` radians about the y axis; the
 /// moon from there by 1 along the x axis of the turned earth, turned by `month` radians.
+///
+/// `transform.rotate_y(angle)?` and `transform.translate(Point3::new(x, y, z))?` chain a step to a transform.
 pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
     let start = Transform::IDENTITY;
     missing!("the transforms of earth and moon", Ok([start, start]), {

@@ -24,13 +24,16 @@ impl Ring {
 }
 
 impl Geometry for Ring {
+    /// The hit of the plane, if it lies on the ring. `ray.at(t)` is a point of the ray, and `v.dot(v)` the square
+    /// of a length.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let hit = self.plane.hit(ray, within)?;
         missing!("where the ray meets the ring", Some(hit), {
             let from_centre = ray.at(hit.t) - self.c;
             let squared = from_centre.dot(from_centre);
-            let is_on_ring = (self.hole * self.hole..=self.r * self.r).contains(&squared);
-            is_on_ring.then_some(hit)
+            let is_beyond_hole = squared >= self.hole * self.hole;
+            let is_within_rim = squared <= self.r * self.r;
+            (is_beyond_hole && is_within_rim).then_some(hit)
         })
     }
 }

@@ -4,6 +4,9 @@ use crate::prelude::*;
 
 /// Turns about an axis through the origin by an angle in radians: counterclockwise, seen by
 /// an eye to which the axis points. The axis has any length but 0.
+///
+/// A vector has `x()`, `y()` and `z()`; `rotate_x(angle)?`, `rotate_y(angle)?` and `rotate_z(angle)?` chain a turn to
+/// a transform.
 pub fn rotation(axis: Vector3, angle: f64) -> Result<Transform, ArgumentError> {
     let k = axis.unit("axis")?;
     missing!("the turn about the axis", Ok(Transform::IDENTITY), {

@@ -19,6 +19,8 @@ impl<G> Sheared<G> {
 
 impl<G: Geometry> Geometry for Sheared<G> {
     /// The hit of the upright shape and the ray as that one sees it, which has the same `t`.
+    ///
+    /// `Point3::new(x, y, z)` makes a point, and `Vector3::new(x, y, z)` a vector; all have `x()`, `y()` and `z()`.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin(), ray.direction());
         let (o, d) = missing!("origin and direction, sheared back", (o, d), {

@@ -20,7 +20,8 @@ pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
 /// A normal of the object in the space around it, of length 1, perpendicular to the
 /// transformed surface; none if no direction is perpendicular.
 ///
-/// `matrix.transposed()` has rows and columns swapped.
+/// `matrix.transposed()` has rows and columns swapped, and `Vector3::from(n)` is the normal as a vector;
+/// `vector.normalized()?.as_normal()` is a normal of length 1.
 pub fn normal_from_object(transform: &Transform, n: Normal3) -> Option<Normal3> {
     // 1. Find the matrix that keeps normals perpendicular to the surface.
     // 2. Apply it to the normal.
