@@ -76,7 +76,7 @@ fn does_not_compile(e: &Exercise, printed: String) -> Report {
     let words = match lacks {
         Some(lacks) if !printed.contains(&place) => return Report::new(e, &lacks),
         Some(lacks) => lacks,
-        None if printed.contains("tests/exercises/") => {
+        None if first_place_of_error(&printed).contains("tests/exercises/") => {
             "the check calls your code by the names and in the forms of the starter; look at yours"
                 .to_owned()
         }
@@ -99,6 +99,14 @@ pub fn lacks(printed: &str) -> Option<String> {
         names.push(format!("`{name}`"));
     }
     (!names.is_empty()).then(|| format!("the file lacks {}", names.join(" and ")))
+}
+
+/// The file and the line of the compiler's first error.
+fn first_place_of_error(printed: &str) -> String {
+    let plain = console::strip_ansi_codes(printed);
+    let mut lines = plain.lines().skip_while(|line| !line.starts_with("error"));
+    let place = lines.find_map(|line| line.trim_start().strip_prefix("--> "));
+    place.unwrap_or_default().to_owned()
 }
 
 /// Runs the test program. There is no report if the watcher stops it.
@@ -153,4 +161,25 @@ fn run_check(
         words: text::message(&output.words),
         ..Report::new(e, &verdict)
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_place_of_error;
+
+    #[test]
+    fn the_first_place_is_that_of_an_error() {
+        let [own, check] = ["exercises/own.rs:1:2", "tests/exercises/own.rs:3:4"];
+        let warning = format!("warning: unused\n --> {check}\n");
+        let colored =
+            format!("\u{1b}[1merror[E0308]\u{1b}[0m: types\n  \u{1b}[94m--> \u{1b}[0m{own}\n");
+        let note = format!("note: called here\n --> {check}\n");
+        assert_eq!(
+            first_place_of_error(&[warning, colored, note].concat()),
+            own
+        );
+        let of_check = format!("error: no such function\n --> {check}\n");
+        assert_eq!(first_place_of_error(&of_check), check);
+        assert_eq!(first_place_of_error("error: no target"), "");
+    }
 }

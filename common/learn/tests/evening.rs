@@ -164,8 +164,10 @@ fn each_step_is_answered() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
     if cfg!(target_os = "linux") {
         let full = File::create("/dev/full").unwrap();
-        let status = learn(&["list"]).stdout(full).status().unwrap();
-        assert_eq!(status.code(), Some(1), "the list is lost");
+        let output = learn(&["list"]).stdout(full).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(said.contains("No space left"), "{said}");
+        assert_eq!(output.status.code(), Some(1), "the list is lost");
     }
     watch_the_evening(&file);
     check_once(&file);

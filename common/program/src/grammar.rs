@@ -122,3 +122,27 @@ fn examples(program: &str, scenes: &[Scene], is_sampled: bool) -> String {
          {program} render --all -o pictures"
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_of_the_workbook_has_each_command_and_option() {
+        let page = std::fs::read_to_string("../../book/src/workbook.md").unwrap();
+        for command in CommandLine::command().get_subcommands() {
+            let words = format!("-- {} ", command.get_name());
+            assert!(page.contains(&words), "workbook.md lacks {words}");
+            // The options of `explain` are in its help alone.
+            let options = command.get_arguments();
+            for option in options.filter(|_| command.get_name() != "explain") {
+                let words = match (option.get_short(), option.get_long()) {
+                    (Some(letter), _) => format!("-{letter} "),
+                    (None, Some(word)) => format!("--{word}"),
+                    (None, None) => continue,
+                };
+                assert!(page.contains(&words), "workbook.md lacks {words}");
+            }
+        }
+    }
+}

@@ -105,6 +105,10 @@ fn explain(error: Error) -> String {
     match error {
         Error::Io(error) if error.kind() == io::ErrorKind::UnexpectedEof => ENDS_TOO_EARLY.into(),
         Error::Unsupported(_) => not_supported(error),
+        Error::Format(reason) if reason.contains("unset") => format!(
+            "it lacks tables that its pixels need, as single frames of a motion JPEG do ({reason}); \
+             save it as PNG with another program"
+        ),
         error => refused(error),
     }
 }

@@ -175,7 +175,11 @@ fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
     let mut flipped = whole.clone();
     let data = whole.windows(4).position(|name| name == b"IDAT").unwrap();
     flipped[data + 12] ^= 1;
+    let [quantisation, huffman] =
+        [0xDB, 0xC4].map(|tables| with_segments(GRADIENTS[0], tables, &[]));
     for (bytes, reason) in [
+        (&quantisation[..], "it lacks tables that its pixels need"),
+        (&huffman, "it lacks tables that its pixels need"),
         (&b"\x01\x02"[..], "it is no PNG, JPEG or BMP picture"),
         (b"", "it is no PNG, JPEG or BMP picture"),
         (
