@@ -50,6 +50,31 @@ fn keys_save_close_and_go_round_the_scenes() {
     window.wait_for_end();
 }
 
+/// S has the number 39 with the letters of any country. Where it is no Latin letter,
+/// the menu does the same.
+#[test]
+fn keyboards_of_five_countries_save_and_close() {
+    for (country, is_latin) in [
+        ("us", true),
+        ("de", true),
+        ("fr", true),
+        ("ru", false),
+        ("gr", false),
+    ] {
+        let window = Display::start_with_keyboard(country, PROGRAM, "show painter");
+        let Some(window) = window else { return };
+        window.wait_for_picture("painter");
+        if is_latin {
+            window.act("key 39");
+        } else {
+            window.click_until(30, 15, "saved");
+        }
+        assert_saved(&window, "painter");
+        window.act("key Escape");
+        window.wait_for_end();
+    }
+}
+
 /// The entries stand above the picture, at 8 pixels for a letter.
 #[test]
 fn the_menu_saves_and_closes_by_mouse() {
@@ -115,7 +140,7 @@ fn an_idle_window_has_one_thread_and_sleeps() {
 /// A pixel of depth 30 has 32 bits, as one of depth 24 has, but ten for each colour.
 #[test]
 fn colours_of_other_than_24_bits_get_the_picture_in_a_file() {
-    for depth in [16, 30] {
+    for depth in [8, 16, 30] {
         let Some((output, folder)) = run_at_depth(depth, PROGRAM, "show painter --size 8x6") else {
             return;
         };

@@ -27,15 +27,24 @@ pub struct Display {
 
 impl Display {
     /// Starts a program with the arguments of a line, on a screen of 1600x1300
-    /// pixels, and gives its window the keyboard. On a machine without Xvfb, xdotool or a library of
+    /// pixels, and gives its window the keyboard. On a machine without Xvfb, xdotool, setxkbmap or a library of
     /// windows none, and a sentence on stderr.
     #[must_use]
     pub fn start(program: &str, line: &str) -> Option<Self> {
+        Self::start_with_keyboard("us", program, line)
+    }
+
+    /// The same with the letters of a country on the keyboard.
+    #[must_use]
+    pub fn start_with_keyboard(country: &str, program: &str, line: &str) -> Option<Self> {
         if !has_tools() {
             return None;
         }
         // A server fails if another one takes the same number at the same moment.
         let (server, name) = wait_for("a server", || server(24));
+        let mut letters = Command::new("setxkbmap");
+        let letters = letters.arg(country).env("DISPLAY", &name).status();
+        letters.expect("setxkbmap runs");
         let folder = tempfile::tempdir().expect("a folder");
         let file = |name| File::create(folder.path().join(name)).expect("a file");
         let program = command(program, line, &folder, &name)
@@ -149,9 +158,14 @@ pub fn run_at_depth(depth: u32, program: &str, line: &str) -> Option<(Output, Te
     Some((output.expect("the program runs"), folder))
 }
 
-/// Whether Xvfb and xdotool are there; otherwise a sentence on stderr.
+/// Whether Xvfb, xdotool and setxkbmap are there; otherwise a sentence on stderr.
 fn has_tools() -> bool {
-    for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
+    let tools = [
+        ("Xvfb", "-help"),
+        ("xdotool", "version"),
+        ("setxkbmap", "-version"),
+    ];
+    for (tool, argument) in tools {
         if let Err(error) = Command::new(tool).arg(argument).output() {
             // The output of `eprintln!` is shown for failing tests only.
             let _ = writeln!(io::stderr(), "not tested on a display: {tool}: {error}");
