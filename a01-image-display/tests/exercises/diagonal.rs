@@ -18,5 +18,6 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::scene("diagonal", |diagonal: &Code, settings| {
             diagonal(settings.size)
         }),
+        ..Exercise::default()
     }
 }

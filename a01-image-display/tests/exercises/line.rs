@@ -20,5 +20,6 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: pictures.into(),
         picture: Picture::own(|line: &Code, settings| line(settings.size)),
+        ..Exercise::default()
     }
 }

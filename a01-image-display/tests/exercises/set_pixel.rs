@@ -57,6 +57,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: all([places.into(), colors.into()]),
         picture: Picture::own(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
+        ..Exercise::default()
     }
 }
 

@@ -30,5 +30,6 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::own(|thumbnail: &Code, _| {
             thumbnail(&ShowImage::test_card()?.into_image(), 4)
         }),
+        ..Exercise::default()
     }
 }

@@ -30,6 +30,7 @@ pub fn exercise() -> Exercise<Code> {
             let View { camera, world } = scenes::striped_sky(settings.size, StripeRule::Direction)?;
             picture(&*camera, &|ray| world.color_for(ray), settings)
         }),
+        ..Exercise::default()
     }
 }
 

@@ -29,6 +29,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: numbers.into(),
         picture: Picture::own(points),
+        ..Exercise::default()
     }
 }
 

@@ -34,6 +34,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(points_and_feet),
+        ..Exercise::default()
     }
 }
 

@@ -35,6 +35,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: directions.into(),
         picture: Picture::own(|ring: &Code, settings| sky_of_rings(*ring, settings)),
+        ..Exercise::default()
     }
 }
 

@@ -43,5 +43,6 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&camera, &radiance, settings)
         }),
+        ..Exercise::default()
     }
 }

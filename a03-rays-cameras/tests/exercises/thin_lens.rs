@@ -30,6 +30,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(walls),
+        ..Exercise::default()
     }
 }
 

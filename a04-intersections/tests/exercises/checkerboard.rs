@@ -46,6 +46,7 @@ pub fn exercise() -> Exercise<Code> {
                 checkerboard(p, n) * 0.7 + Color::gray(0.15)
             })
         }),
+        ..Exercise::default()
     }
 }
 

@@ -24,6 +24,7 @@ pub fn exercise() -> Exercise<Code> {
             };
             paint(&*scene_5()?.camera, &color, settings)
         }),
+        ..Exercise::default()
     }
 }
 

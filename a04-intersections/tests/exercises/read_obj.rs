@@ -57,6 +57,7 @@ pub fn exercise() -> Exercise<Code> {
             };
             eye.show_shapes(house, settings)
         }),
+        ..Exercise::default()
     }
 }
 

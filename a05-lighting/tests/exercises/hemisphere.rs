@@ -35,5 +35,6 @@ pub fn exercise() -> Exercise<Code> {
                 hemisphere([diffuse, sky, ground], hit.normal)
             })
         }),
+        ..Exercise::default()
     }
 }

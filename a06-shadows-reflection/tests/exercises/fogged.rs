@@ -35,5 +35,6 @@ pub fn exercise() -> Exercise<Code> {
                 fogged(clear, Color::new(0.7, 0.75, 0.8), 0.08, distance)
             })
         }),
+        ..Exercise::default()
     }
 }

@@ -43,5 +43,6 @@ pub fn exercise() -> Exercise<Code> {
                 tracer.trace(ray, depth)
             })
         }),
+        ..Exercise::default()
     }
 }

@@ -45,6 +45,7 @@ pub fn exercise() -> Exercise<Code> {
                 trace(world, ray, depth)
             })
         }),
+        ..Exercise::default()
     }
 }
 

@@ -28,6 +28,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: surfaces.into(),
         picture: Picture::own(of_diamond),
+        ..Exercise::default()
     }
 }
 

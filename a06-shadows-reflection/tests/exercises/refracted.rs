@@ -38,6 +38,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rays.into(),
         picture: Picture::own(under_water),
+        ..Exercise::default()
     }
 }
 

@@ -30,6 +30,7 @@ pub fn exercise() -> Exercise<Code> {
                 tracer.trace(ray, depth)
             })
         }),
+        ..Exercise::default()
     }
 }
 

@@ -29,6 +29,7 @@ pub fn exercise() -> Exercise<Code> {
             let [_, inverse] = chain(&steps_of_box());
             Ok(world.with(under_inverse(upright_box()?, inverse), yellow()?))
         }),
+        ..Exercise::default()
     }
 }
 

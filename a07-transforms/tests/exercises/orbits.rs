@@ -33,6 +33,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: times.into(),
         picture: lit(eye, twelve_months),
+        ..Exercise::default()
     }
 }
 

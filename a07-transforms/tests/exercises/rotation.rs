@@ -34,6 +34,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: rotations.into(),
         picture: lit(eye, wheel),
+        ..Exercise::default()
     }
 }
 

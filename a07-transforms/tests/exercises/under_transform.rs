@@ -51,6 +51,7 @@ pub fn exercise() -> Exercise<Code> {
             let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
             Ok(world.with(ellipsoid(*code)?, Box::new(material)))
         }),
+        ..Exercise::default()
     }
 }
 

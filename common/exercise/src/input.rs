@@ -1,6 +1,11 @@
-//! `Input`: the arguments of a question, whose numbers can be moved and shown.
+//! `Input`: the arguments of a question, which are read from a line, moved and shown.
+
+use std::str::{FromStr, Split, SplitWhitespace};
 
 use common::{Color, Sampling};
+
+/// The arguments that a line still has, with `|` between them.
+pub type Arguments<'t> = Split<'t, char>;
 
 /// An argument of the code that is asked, or a tuple of all arguments.
 pub trait Input: Clone {
@@ -9,6 +14,20 @@ pub trait Input: Clone {
 
     /// The argument in words; of a tuple, those of each.
     fn words(&self) -> Vec<String>;
+
+    /// Takes it from an argument of a line, of which it may be a part, such as a number of a list.
+    #[must_use]
+    fn read_part(_: &mut SplitWhitespace) -> Option<Self> {
+        None
+    }
+
+    /// Takes the next argument of a line, which is this and nothing else; of a tuple, one for each.
+    #[must_use]
+    fn read(arguments: &mut Arguments) -> Option<Self> {
+        let mut parts = arguments.next()?.split_whitespace();
+        let argument = Self::read_part(&mut parts)?;
+        parts.next().is_none().then_some(argument)
+    }
 
     /// The numbers that may be moved.
     fn numbers(&self) -> Vec<f64> {
@@ -35,6 +54,10 @@ impl Input for f64 {
     fn words(&self) -> Vec<String> {
         vec![shown(*self)]
     }
+
+    fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
+        word(parts)
+    }
 }
 
 impl Input for Color {
@@ -46,6 +69,11 @@ impl Input for Color {
 
     fn words(&self) -> Vec<String> {
         self.channels().words()
+    }
+
+    fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
+        let [r, g, b] = Input::read_part(parts)?;
+        Some(Self::new(r, g, b))
     }
 }
 
@@ -67,7 +95,7 @@ pub(crate) fn shown(number: f64) -> String {
 }
 
 macro_rules! lists {
-    ($($list:ty, $($n:ident)?;)+) => { $(
+    ($($list:ty, $($n:ident)?, $most:expr;)+) => { $(
         impl<T: Input $(, const $n: usize)?> Input for $list {
             fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
                 for item in self.iter_mut() {
@@ -79,11 +107,19 @@ macro_rules! lists {
                 let items: Vec<_> = self.iter().flat_map(Input::words).collect();
                 vec![format!("[{}]", items.join(", "))]
             }
+
+            fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
+                let mut items = Vec::new();
+                while items.len() < $most && parts.clone().next().is_some() {
+                    items.push(T::read_part(parts)?);
+                }
+                items.try_into().ok()
+            }
         }
     )+ };
 }
 
-lists! { [T; N], N; Vec<T>, ; }
+lists! { [T; N], N, N; Vec<T>, , usize::MAX; }
 
 /// Makes a struct an [`Input`], by its fields in the order of the question: `input! { Lamp: color, place }`.
 #[macro_export]
@@ -97,24 +133,41 @@ macro_rules! input {
             fn words(&self) -> Vec<String> {
                 [$(self.$field.words()),+].concat()
             }
+
+            fn read(arguments: &mut $crate::Arguments) -> Option<Self> {
+                Some(Self { $($field: $crate::Input::read(arguments)?),+ })
+            }
         }
     };
 }
 
 /// Arguments that are not moved.
 macro_rules! fixed {
-    ($($fixed:ty)+) => { $(
+    ($($read:ident: $($fixed:ty)+;)+) => { $($(
         impl Input for $fixed {
             fn for_each_number(&mut self, _: &mut dyn FnMut(&mut f64)) {}
 
             fn words(&self) -> Vec<String> {
                 vec![format!("{self:?}")]
             }
+
+            fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
+                $read(parts)
+            }
         }
-    )+ };
+    )+)+ };
 }
 
-fixed! { Sampling bool u8 u32 i32 u64 usize &'static str String }
+fixed! { never: Sampling &'static str; word: bool u8 u32 i32 u64 usize String; }
+
+fn word<T: FromStr>(parts: &mut SplitWhitespace) -> Option<T> {
+    parts.next()?.parse().ok()
+}
+
+/// No line has such an argument.
+fn never<T>(_: &mut SplitWhitespace) -> Option<T> {
+    None
+}
 
 macro_rules! tuples {
     ($($($item:ident)+;)+) => { $(
@@ -128,6 +181,10 @@ macro_rules! tuples {
             fn words(&self) -> Vec<String> {
                 let ($($item,)+) = self;
                 [$($item.words()),+].concat()
+            }
+
+            fn read(arguments: &mut Arguments) -> Option<Self> {
+                Some(($($item::read(arguments)?,)+))
             }
         }
     )+ };

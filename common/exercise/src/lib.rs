@@ -2,7 +2,8 @@
 //!
 //! A [`Question`] is a value: words, numbers, and whether they are simple. The
 //! solution of an exercise answers all its questions; these answers, with how far another right
-//! answer may be from them, are its [`Record`], a text file beside the solutions. A student's
+//! answer may be from them, are its [`Record`], a text file beside the solutions. The questions
+//! stand there, too, or in the check. A student's
 //! program answers the same questions, and [`verdict`] compares: it is the only comparison of
 //! `cargo learn`, of the grader, of the tests and of the book's pages, and none of them needs a
 //! solution for it.
@@ -12,6 +13,7 @@ mod input;
 mod mistake;
 mod proof;
 mod question;
+mod question_line;
 mod record;
 mod renewal;
 mod row;
@@ -20,9 +22,10 @@ mod text;
 mod verdict;
 
 pub use answer::{Answer, assert_close_about};
-pub use input::Input;
+pub use input::{Arguments, Input};
 pub use mistake::Mistake;
 pub use question::Question;
+pub use question_line::QuestionLine;
 pub use record::Record;
 pub use row::{Row, Tolerance};
 pub use student_output::{CORPUS, MARK, MARKED, WORDS_MARK, print_answers, read_answers};

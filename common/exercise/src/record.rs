@@ -1,130 +1,203 @@
-//! `Record`: the right answers of an exercise and those of known mistakes, in a text file.
+//! `Record`: the file of an exercise: what is asked, what is right, and what is known to go wrong.
 //!
-//! A line begins with the word that says what it is. `?` has the key of the next question, after `=`
-//! the right answer to it, and after `~` how far its numbers may move, beside their own rounding:
-//! nothing where they must not, and `rounding decides` where every answer is right. `mistake` begins
-//! a known mistake: the numbers of the rows, from 1, in which code with this mistake is `wrong`, or
-//! in which `either` answer is possible; and its answers to some questions.
+//! A line begins with the word that says what it is. `mistake m1` has the fact that a known mistake
+//! overlooks. `words` begins the questions of one form, with `{}` instead of each argument. `simple` or
+//! `other` asks one, with `|` between its arguments; where the check asks, `?` has the key of the question.
+//! After `=` stands its right answer, and after `~` how far the numbers of the answer may move, beside their
+//! own rounding: nothing where they must not, and `rounding decides` where every answer is right. The lines
+//! below it tell of code with known mistakes: its answer, such as `m1 = 0`; `wrong`, for which mistakes
+//! another one is wrong; and `either`, for which it is not known.
 
-use std::collections::BTreeSet;
-use std::fmt;
+use std::fmt::{self, Write};
 
-use crate::{Answer, Mistake, Row, Tolerance, text};
+use crate::{Answer, Mistake, QuestionLine, Row, Tolerance, text};
 
-/// Right answers and known mistakes.
+/// Questions, right answers and known mistakes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// The right answers.
+    /// The questions; none where the check asks them.
+    pub questions: Vec<QuestionLine>,
+    /// The right answers. That to a question which has none yet is empty.
     pub rows: Vec<Row>,
     /// The known mistakes.
     pub mistakes: Vec<Mistake>,
+    /// The lines below the last question that ask nothing.
+    pub below: String,
 }
 
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for row in &self.rows {
-            write!(f, "? {} = {}", row.key, text::answer(&row.answer))?;
-            write_tolerance(f, &row.tolerance)?;
-            writeln!(f)?;
+        let mistakes = || (1..).zip(&self.mistakes);
+        for (label, mistake) in mistakes() {
+            writeln!(f, "mistake m{label} {}", mistake.overlooks)?;
         }
-        for mistake in &self.mistakes {
-            writeln!(f, "mistake {}", mistake.overlooks)?;
-            for (word, numbers) in [
-                ("wrong", &mistake.further_wrong_rows),
-                ("either", &mistake.undecided_rows),
-            ] {
-                if !numbers.is_empty() {
-                    writeln!(f, "{word} {}", ranges(numbers))?;
+        for (number, row) in self.rows.iter().enumerate() {
+            let answer = if row.is_recorded() {
+                answer_line(&row.answer, &row.tolerance)
+            } else {
+                String::new()
+            };
+            match self.questions.get(number) {
+                Some(QuestionLine {
+                    above,
+                    is_simple,
+                    arguments,
+                    ..
+                }) => {
+                    let word = if *is_simple { "simple" } else { "other" };
+                    let line = format!("{word} {arguments} {answer}");
+                    writeln!(f, "{above}{}", line.trim_end())?;
+                }
+                None => writeln!(f, "? {} {answer}", row.key)?,
+            }
+            for (label, mistake) in mistakes() {
+                if let Some((answer, tolerance)) = mistake.answers.get(&number) {
+                    writeln!(f, "  m{label} {}", answer_line(answer, tolerance))?;
                 }
             }
-            for (number, (answer, tolerance)) in &mistake.answers {
-                write!(f, "{} = {}", number + 1, text::answer(answer))?;
-                write_tolerance(f, tolerance)?;
-                writeln!(f)?;
-            }
+            let wrong = mistakes().filter(|(_, it)| it.further_wrong_rows.contains(&number));
+            write_labels(f, "wrong", wrong)?;
+            let either = mistakes().filter(|(_, it)| it.undecided_rows.contains(&number));
+            write_labels(f, "either", either)?;
         }
-        Ok(())
+        f.write_str(&self.below)
     }
 }
 
-/// Writes a tolerance, unless it is 0 and need not be said.
-fn write_tolerance(f: &mut fmt::Formatter<'_>, tolerance: &Tolerance) -> fmt::Result {
-    let is_none = |changes: &[f64]| changes.iter().all(|change| *change == 0.0);
+/// An answer with its tolerance, unless it is 0 and need not be said.
+fn answer_line(answer: &Answer, tolerance: &Tolerance) -> String {
+    let mut line = format!("= {}", text::answer(answer));
     match tolerance {
-        Tolerance::Changes(changes) if is_none(changes) => Ok(()),
-        _ => f.write_str(&text::tolerance(tolerance)),
+        Tolerance::Changes(changes) if changes.iter().all(|change| *change == 0.0) => {}
+        _ => line += &text::tolerance(tolerance),
     }
+    line
+}
+
+/// A word about mistakes, if there are any.
+fn write_labels<'m>(
+    f: &mut fmt::Formatter<'_>,
+    word: &str,
+    mistakes: impl Iterator<Item = (usize, &'m Mistake)>,
+) -> fmt::Result {
+    let mut labels = String::new();
+    for (label, _) in mistakes {
+        write!(labels, " m{label}")?;
+    }
+    if labels.is_empty() {
+        return Ok(());
+    }
+    writeln!(f, "  {word}{labels}")
 }
 
 impl Record {
     /// The record of a text. The error is the first line that is no line of a record.
     pub fn read(text: &str) -> Result<Self, String> {
-        let mut record = Self::default();
+        let mut reader = Reader::default();
         for (number, line) in (1..).zip(text.lines()) {
-            record
+            reader
                 .read_line(line)
                 .ok_or_else(|| format!("line {number} is no line of a record: {line}"))?;
         }
-        Ok(record)
+        Ok(Self {
+            below: reader.next.above,
+            ..reader.record
+        })
     }
+}
 
+/// What the lines so far say.
+#[derive(Default)]
+struct Reader {
+    record: Record,
+    /// The labels of the mistakes, such as `m1`.
+    labels: Vec<String>,
+    /// What is known of the next question.
+    next: QuestionLine,
+}
+
+impl Reader {
     fn read_line(&mut self, line: &str) -> Option<()> {
-        let (word, mut rest) = line.split_once(' ')?;
+        let Self { record, next, .. } = self;
+        if line.is_empty() || line.starts_with('#') {
+            next.above.extend([line, "\n"]);
+            return Some(());
+        }
+        let (word, rest) = line.trim_start().split_once(' ')?;
         match word {
-            "?" => {
-                let (key, mut rest) = rest.split_once(" = ")?;
-                let answer = text::take_answer(&mut rest)?;
-                let tolerance = read_tolerance(&mut rest, &answer);
-                self.rows.push(Row {
-                    key: key.to_owned(),
-                    answer,
-                    tolerance,
+            "mistake" => {
+                let (label, overlooks) = rest.split_once(' ')?;
+                self.labels.push(label.to_owned());
+                record.mistakes.push(Mistake {
+                    overlooks: overlooks.to_owned(),
+                    ..Mistake::default()
                 });
             }
-            "mistake" => self.mistakes.push(Mistake {
-                overlooks: rest.to_owned(),
-                ..Mistake::default()
-            }),
-            "wrong" => self.mistakes.last_mut()?.further_wrong_rows = read_ranges(rest)?,
-            "either" => self.mistakes.last_mut()?.undecided_rows = read_ranges(rest)?,
-            number => {
-                let number = number.parse::<usize>().ok()?.checked_sub(1)?;
-                rest = rest.strip_prefix("= ")?;
-                let answer = text::take_answer(&mut rest)?;
-                let tolerance = read_tolerance(&mut rest, &answer);
-                let answers = &mut self.mistakes.last_mut()?.answers;
-                answers.insert(number, (answer, tolerance));
+            "words" => {
+                next.above.extend([line, "\n"]);
+                next.form = record.questions.last().map_or(0, |last| last.form + 1);
+                rest.clone_into(&mut next.words);
+            }
+            "simple" | "other" if !next.words.is_empty() => {
+                let (arguments, answer) = rest.split_once(" = ").unwrap_or((rest, ""));
+                next.is_simple = word == "simple";
+                arguments.trim().clone_into(&mut next.arguments);
+                record.rows.push(Row::read(&next.arguments, answer)?);
+                record.questions.push(next.clone());
+                next.above.clear();
+            }
+            "?" => {
+                let (key, answer) = rest.split_once(" = ")?;
+                record.rows.push(Row::read(key, answer)?);
+            }
+            "wrong" | "either" => {
+                let row = record.rows.len().checked_sub(1)?;
+                for label in rest.split(' ') {
+                    let mistake = self.mistake(label)?;
+                    let rows = match word {
+                        "wrong" => &mut mistake.further_wrong_rows,
+                        _ => &mut mistake.undecided_rows,
+                    };
+                    rows.insert(row);
+                }
+            }
+            label => {
+                let row = record.rows.len().checked_sub(1)?;
+                let answer = read_answer(rest.strip_prefix("= ")?)?;
+                self.mistake(label)?.answers.insert(row, answer);
             }
         }
         Some(())
     }
-}
 
-/// Takes a tolerance from the beginning of a text; if none is said, no number moves.
-fn read_tolerance(text: &mut &str, answer: &Answer) -> Tolerance {
-    let none = || Tolerance::Changes(answer.roundings(0.0).map(|_| 0.0).collect());
-    text::take_tolerance(text).unwrap_or_else(none)
-}
-
-/// Numbers of rows, from 1, such as `3 7-9`.
-fn ranges(numbers: &BTreeSet<usize>) -> String {
-    let numbers: Vec<_> = numbers.iter().map(|number| number + 1).collect();
-    let ranges = numbers.chunk_by(|a, b| a + 1 == *b);
-    let ranges = ranges.map(|range| match range {
-        [first, .., last] => format!("{first}-{last}"),
-        _ => range[0].to_string(),
-    });
-    ranges.collect::<Vec<_>>().join(" ")
-}
-
-fn read_ranges(text: &str) -> Option<BTreeSet<usize>> {
-    let mut numbers = BTreeSet::new();
-    for range in text.split(' ') {
-        let (first, last) = range.split_once('-').unwrap_or((range, range));
-        let [first, last]: [usize; 2] = [first.parse().ok()?, last.parse().ok()?];
-        numbers.extend(first.checked_sub(1)?..last);
+    /// The mistake of a label.
+    fn mistake(&mut self, label: &str) -> Option<&mut Mistake> {
+        let number = self.labels.iter().position(|known| known == label)?;
+        self.record.mistakes.get_mut(number)
     }
-    Some(numbers)
+}
+
+impl Row {
+    /// The row of a question, with no answer where none is written.
+    fn read(key: &str, written: &str) -> Option<Self> {
+        let (answer, tolerance) = match written {
+            "" => (Answer::default(), Tolerance::RoundingDecides),
+            _ => read_answer(written)?,
+        };
+        Some(Self {
+            key: key.to_owned(),
+            answer,
+            tolerance,
+        })
+    }
+}
+
+/// An answer and its tolerance; if none is said, no number moves.
+fn read_answer(mut text: &str) -> Option<(Answer, Tolerance)> {
+    let answer = text::take_answer(&mut text)?;
+    let none = || Tolerance::Changes(answer.roundings(0.0).map(|_| 0.0).collect());
+    let tolerance = text::take_tolerance(&mut text).unwrap_or_else(none);
+    Some((answer, tolerance))
 }
 
 #[cfg(test)]
@@ -153,10 +226,63 @@ mod tests {
             mistakes: vec![Mistake {
                 overlooks: "a = b; 1 ~ 2".to_owned(),
                 answers: [(2, (answer.clone(), Tolerance::RoundingDecides))].into(),
-                further_wrong_rows: [0, 4, 5, 6].into(),
+                further_wrong_rows: [0].into(),
                 undecided_rows: [1].into(),
             }],
+            ..Record::default()
         };
         assert_eq!(Record::read(&record.to_string()), Ok(record));
+    }
+
+    /// A file as a lecturer leaves it: with a comment, and a question that has no answer yet.
+    const FILE: &str = "\
+mistake m1 a square overflows
+words the vector {}
+
+# Of which one is large.
+simple 1 1e200 -0 = 1e200
+  m1 = inf
+simple 1e-308 inf 0.1
+words the number {}, {} times
+other 0.1 | 4294967295 = \"none\" ~ rounding decides
+  either m1
+# The end.
+";
+
+    #[test]
+    fn a_file_of_questions_is_written_as_it_was_read() {
+        let record = Record::read(FILE).unwrap();
+        assert_eq!(record.to_string(), FILE);
+        let [vector, new, number] = &record.questions[..] else {
+            panic!("{record:?}");
+        };
+        let (input, question) = vector.read::<[f64; 3]>().unwrap();
+        assert_eq!(
+            input.map(f64::to_bits),
+            [1.0, 1e200, -0.0].map(f64::to_bits)
+        );
+        assert_eq!(question.text, "the vector [1, 1e200, 0]");
+        assert!(!record.rows[1].is_recorded());
+        let (input, _) = new.read::<Vec<f64>>().unwrap();
+        assert_eq!(input, [1e-308, f64::INFINITY, 0.1]);
+        let (input, question) = number.read::<(f64, u32)>().unwrap();
+        assert_eq!(input, (0.1, u32::MAX));
+        assert_eq!((number.form, question.is_simple), (1, false));
+    }
+
+    #[test]
+    fn arguments_that_a_question_does_not_take_are_refused_with_its_words() {
+        let mut line = Record::read(FILE).unwrap().questions.remove(0);
+        for arguments in ["1 2", "1 2 3 4", "1 2 x", "1 2 | 3", "1 2 3 | 4", ""] {
+            arguments.clone_into(&mut line.arguments);
+            let error = line.read::<[f64; 3]>().unwrap_err();
+            assert!(error.contains("\"the vector {}\""), "{error}");
+        }
+        "1 2 x".clone_into(&mut line.arguments);
+        assert!(line.read::<Vec<f64>>().is_err());
+        for line in ["simple 1", "m1 = 0", "smple 1 2 3"] {
+            let error = Record::read(line).map(|record| record.rows).unwrap_err();
+            assert!(error.contains("is no line of a record"), "{error}");
+        }
     }
 }

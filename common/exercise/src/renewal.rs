@@ -35,7 +35,12 @@ impl Record {
             mistake.undecided_rows.extend(&new);
             mistakes.push(mistake);
         }
-        (Self { rows, mistakes }, messages)
+        let renewed = Self {
+            rows,
+            mistakes,
+            ..self
+        };
+        (renewed, messages)
     }
 }
 
@@ -103,6 +108,7 @@ mod tests {
         Record {
             rows,
             mistakes: vec![mistake],
+            ..Record::default()
         }
     }
 

@@ -88,6 +88,12 @@ impl Row {
         }
     }
 
+    /// Whether the question has an answer: one that was just added has none.
+    #[must_use]
+    pub fn is_recorded(&self) -> bool {
+        self.answer != Answer::default()
+    }
+
     /// The first value of the right answer from which another one differs, and what it is.
     pub(crate) fn difference(&self, yours: &Answer) -> Result<Option<String>, NoSingleAnswer> {
         self.tolerance.difference(&self.answer, yours)

@@ -7,11 +7,14 @@
 //!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut out of the
 //!    starter.
 //! 2. The check, `tests/exercises/NAME.rs`, has a function `exercise()`, which returns an
-//!    [`Exercise`]: for each sentence of the task a simple question, some random ones, and a picture.
+//!    [`Exercise`]: how code answers a question, and a picture.
 //!    [`yours!`](crate::yours) is the student's code in the form that the questions take. A line
 //!    `mod NAME;` in `tests/exercises/main.rs` adds it.
-//! 3. `INSTA_UPDATE=always cargo test -p STAGE --test exercises -- NAME` records the right answers
-//!    in `exercises/answers/NAME.txt`, where known mistakes keep the answers that fit the questions; without
+//! 3. `exercises/answers/NAME.txt` asks, as [`exercise::Record`](::exercise::Record) describes: for each
+//!    sentence of the task a simple question, and some of random numbers. [`Questions`] of a check ask
+//!    what is no number.
+//! 4. `INSTA_UPDATE=always cargo test -p STAGE --test exercises -- NAME` records the right answers
+//!    in this file, where known mistakes keep the answers that fit the questions; without
 //!    the variable it proves the exercise, shows the messages that students read, and leaves the picture
 //!    of the solution in `out/exercises/`.
 
@@ -31,7 +34,7 @@ mod prove;
 #[cfg(not(target_family = "wasm"))]
 mod student;
 
-pub use self::exercise::{CodeQuestion, Exercise, Picture, Questions, all};
+pub use self::exercise::{CodeQuestion, Exercise, Form, Picture, Questions, all};
 pub use crate::random::{Random, random};
 pub use ::exercise::{Answer, Input, assert_close, input};
 pub use common::ArgumentError;

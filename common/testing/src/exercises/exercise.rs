@@ -1,7 +1,7 @@
 //! `Exercise`: the questions and the picture of an exercise.
 
 use common::{Error, Image, Settings, Size};
-use exercise::{Answer, Input, Question};
+use exercise::{Answer, Input, Question, QuestionLine, Record};
 
 /// The answer of code of the type `C` to a question with other numbers.
 pub type AnswerTo<C> = Box<dyn Fn(&C, &[f64]) -> Answer>;
@@ -13,6 +13,8 @@ pub type Render<C> = Box<dyn Fn(&C, &Settings) -> Result<Image, Error>>;
 pub struct Exercise<C> {
     /// What the code is asked, in this order.
     pub questions: Vec<CodeQuestion<C>>,
+    /// The forms of the questions that the exercise's file asks.
+    pub forms: Vec<Form<C>>,
     /// The picture that the code paints.
     pub picture: Picture<C>,
 }
@@ -22,8 +24,35 @@ impl<C> Default for Exercise<C> {
     fn default() -> Self {
         Self {
             questions: Vec::new(),
+            forms: Vec::new(),
             picture: Picture::None,
         }
+    }
+}
+
+impl<C: 'static> Exercise<C> {
+    /// An exercise whose file asks questions of one form, to which code gives this answer.
+    pub fn asked<I: Input + Default + 'static, A: Into<Answer> + 'static>(
+        answer: fn(&C, I) -> A,
+    ) -> Self {
+        Self {
+            forms: vec![Form::new(answer)],
+            ..Self::default()
+        }
+    }
+
+    /// Takes the questions of the exercise's file.
+    pub fn take_questions(&mut self, record: &Record) -> Result<(), String> {
+        for line in &record.questions {
+            let form = self.forms.get(line.form);
+            let form =
+                form.ok_or_else(|| format!("the check has no form for \"{}\"", line.words))?;
+            self.questions.push((form.question)(line)?);
+        }
+        if self.questions.is_empty() {
+            return Err("it asks nothing".to_owned());
+        }
+        Ok(())
     }
 }
 
@@ -68,7 +97,44 @@ pub struct CodeQuestion<C> {
     pub answer: AnswerTo<C>,
 }
 
-/// Questions of one form.
+/// Makes a question of a line. An error says what the question takes.
+type QuestionOf<C> = Box<dyn Fn(&QuestionLine) -> Result<CodeQuestion<C>, String>>;
+
+/// A form of questions that the exercise's file asks.
+pub struct Form<C> {
+    /// Makes a question of a line.
+    question: QuestionOf<C>,
+    /// The code's answer to a question of these numbers, which has nothing else.
+    pub answer: AnswerTo<C>,
+}
+
+impl<C: 'static> Form<C> {
+    /// The form of the questions to which code gives this answer.
+    pub fn new<I: Input + Default + 'static, A: Into<Answer> + 'static>(
+        answer: fn(&C, I) -> A,
+    ) -> Self {
+        Self {
+            question: Box::new(move |line| {
+                let (input, question) = line.read::<I>()?;
+                Ok(CodeQuestion {
+                    question,
+                    answer: answer_to(input, answer),
+                })
+            }),
+            answer: answer_to(I::default(), answer),
+        }
+    }
+}
+
+/// The answer to this input with other numbers.
+fn answer_to<C: 'static, I: Input + 'static, A: Into<Answer> + 'static>(
+    input: I,
+    answer: fn(&C, I) -> A,
+) -> AnswerTo<C> {
+    Box::new(move |code, numbers| answer(code, input.clone().with_numbers(numbers)).into())
+}
+
+/// Questions of one form, which the check asks.
 pub struct Questions<C, I, A> {
     /// The question, with `{}` instead of each argument.
     pub words: &'static str,
@@ -97,9 +163,7 @@ impl<C: 'static, I: Input + 'static, A: Into<Answer> + 'static> From<Questions<C
         let others = questions.others.into_iter().map(|input| (false, input));
         let asked = simple.chain(others).map(|(is_simple, input)| CodeQuestion {
             question: Question::new(words, &input, is_simple),
-            answer: Box::new(move |code: &C, numbers: &[f64]| {
-                answer(code, input.clone().with_numbers(numbers)).into()
-            }),
+            answer: answer_to(input, answer),
         });
         asked.collect()
     }

@@ -6,6 +6,8 @@ use std::{env, fs};
 use common::{Error, Image, Scene, Settings, Stage, Transfer, picture_file};
 use exercise::Record;
 
+use super::exercise::Exercise;
+
 /// The samples of a pixel, of a scene that has more: they show mistakes as well as a hundred.
 const SAMPLES: u32 = 4;
 
@@ -35,12 +37,18 @@ impl StageFolder {
         self.folder.join(file)
     }
 
-    /// The recorded answers of an exercise.
-    pub(super) fn record(&self, name: &str) -> Result<Record, String> {
+    /// The file of an exercise, which gives the exercise its questions.
+    pub(super) fn record<C: 'static>(
+        &self,
+        name: &str,
+        exercise: &mut Exercise<C>,
+    ) -> Result<Record, String> {
         let file = self.record_file(name);
         let failed = |problem: String| format!("{}: {problem}", file.display());
         let text = fs::read_to_string(&file).map_err(|error| failed(error.to_string()))?;
-        Record::read(&text).map_err(failed)
+        let record = Record::read(&text).map_err(failed)?;
+        exercise.take_questions(&record).map_err(failed)?;
+        Ok(record)
     }
 
     /// Whether a part of the starter is no longer missing in the student's file; also if one of

@@ -39,14 +39,21 @@ pub fn judge<C: 'static>(
     yours: C,
     _: fn(),
 ) -> ExitCode {
-    let (folder, picture, questions) = (*folder, exercise.picture, exercise.questions);
+    let (folder, picture) = (*folder, exercise.picture);
+    let asked = exercise
+        .questions
+        .into_iter()
+        .map(|question| question.answer);
+    let answer = asked
+        .chain(exercise.forms.into_iter().map(|form| form.answer))
+        .next();
     let yours = Rc::new(yours);
-    let asked = Rc::clone(&yours);
+    let code = Rc::clone(&yours);
     let ask = move |part: &str, inputs: &mut dyn Iterator<Item = &[f64]>| {
-        let Some(question) = questions.first() else {
+        let Some(answer) = &answer else {
             return Vec::new();
         };
-        let answers = inputs.map(|input| (question.answer)(&asked, input));
+        let answers = inputs.map(|input| answer(&code, input));
         answers
             .map(|answer| answer.number(part).unwrap_or(f64::NAN))
             .collect()

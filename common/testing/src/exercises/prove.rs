@@ -83,8 +83,14 @@ pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
 
 impl<C: 'static> Codes<C> {
     fn prove(&self, name: &str, author: &Author) -> Proof {
-        let exercise = (self.exercise)();
+        let mut exercise = (self.exercise)();
         let folder = &author.folder;
+        let is_new = exercise.forms.is_empty() && !folder.record_file(name).exists();
+        let recorded = if author.records && is_new {
+            Record::default()
+        } else {
+            folder.record(name, &mut exercise)?
+        };
         let solution = Program {
             exercise: &exercise,
             code: &(self.solution)(),
@@ -99,7 +105,7 @@ impl<C: 'static> Codes<C> {
         if !starter.is_unfinished() {
             return Err("nothing is missing in the starter".into());
         }
-        let record = author.compare(name, solution.rows(), &exercise.picture)?;
+        let record = author.compare(name, recorded, solution.rows(), &exercise.picture)?;
         let found = solution.run(self.examples, &record, folder, author.reader());
         if !found.verdict.wrong.is_empty() {
             return Err(format!("the solution: {}", found.verdict.wrong.join("\n")).into());
@@ -134,15 +140,11 @@ impl Author {
     fn compare<C>(
         &self,
         name: &str,
+        recorded: Record,
         rows: Vec<Row>,
         picture: &Picture<C>,
     ) -> Result<Record, Box<dyn Error>> {
         let file = self.folder.record_file(name);
-        let recorded = if self.records && !file.exists() {
-            Record::default()
-        } else {
-            self.folder.record(name)?
-        };
         let picture = match picture {
             Picture::Scene(scene, _) => self.folder.recorded_picture(scene)?,
             _ => None,

@@ -6,7 +6,7 @@ use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::{CORPUS, MARKED, WORDS_MARK, print_answers};
+use exercise::{CORPUS, MARKED, Row, WORDS_MARK, print_answers};
 
 use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
@@ -28,7 +28,7 @@ const PRINTED: &str = "EXERCISE_PRINTED";
 pub fn judge<C: 'static>(
     folder: &StageFolder,
     name: &'static str,
-    exercise: Exercise<C>,
+    mut exercise: Exercise<C>,
     yours: C,
     examples: fn(),
 ) -> ExitCode {
@@ -54,7 +54,7 @@ pub fn judge<C: 'static>(
         say(&words);
         return ExitCode::SUCCESS;
     }
-    let record = match folder.record(name) {
+    let record = match folder.record(name, &mut exercise) {
         Ok(record) => record,
         Err(problem) => {
             say(&problem);
@@ -62,6 +62,14 @@ pub fn judge<C: 'static>(
         }
     };
     let is_printed = env::var_os(PRINTED).is_some();
+    let without_answer = record.rows.iter().find(|row| !row.is_recorded());
+    if let Some(Row { key, .. }) = without_answer.filter(|_| !is_printed) {
+        let stage = folder.stage().name;
+        say(&format!(
+            "the question {key} has no answer yet, which this records: \
+             INSTA_UPDATE=always cargo test -p {stage} --test exercises -- {name}"
+        ));
+    }
     let program = Program {
         exercise: &exercise,
         code: &yours,
