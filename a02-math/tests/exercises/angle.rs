@@ -7,34 +7,9 @@ yours! { angle }
 type Code = fn(Vector3, Vector3) -> f64;
 
 pub fn exercise() -> Exercise<Code> {
-    let x = [1.0, 0.0, 0.0];
-    let vectors = Questions {
-        words: "a = {}, b = {}",
-        // A right angle, an obtuse one, none, the largest, tiny ones, of a zero vector, and of
-        // vectors that differ much in length.
-        simple: vec![
-            (x, [0.0, 2.0, 0.0]),
-            (x, [-2.0, 2.0, 0.0]),
-            (x, [3.0, 0.0, 0.0]),
-            (x, [-3.0, 0.0, 0.0]),
-            (x, [1.0, 1e-9, 0.0]),
-            (x, [2.0, 0.0, -1e-8]),
-            (x, [-1.0, 1e-9, 0.0]),
-            (x, [0.0, 0.0, 0.0]),
-            ([0.0, 0.0, 0.0], x),
-            ([0.0, 1.0, 1.0], [1.0, 1.0, 0.0]),
-            ([1e-18, 0.0, 0.0], [-2.0, 2.0, 0.0]),
-            ([1e18, 0.0, 0.0], [-2.0, 2.0, 0.0]),
-        ],
-        others: random(|r| {
-            let length = r.scale();
-            (r.triple(5.0).map(|x| x * length), r.triple(5.0))
-        }),
-        answer: |angle: &Code, (a, b)| angle(vector(a), vector(b)),
-    };
     Exercise {
-        questions: vectors.into(),
         picture: Picture::own(|angle: &Code, settings| fans(*angle, settings)),
+        ..Exercise::asked(|angle: &Code, (a, b)| angle(vector(a), vector(b)))
     }
 }
 

@@ -7,30 +7,11 @@ yours! { barycentric }
 type Code = fn(Point3, [Point3; 3]) -> Option<[f64; 3]>;
 
 pub fn exercise() -> Exercise<Code> {
-    let [o, x, y] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-    let points = Questions {
-        words: "p = {}, corners {}",
-        simple: vec![
-            ([1.0, 1.0, 0.0], [o, x, y]),
-            ([4.0, 4.0, 1.0], [o, x, y]),
-            (y, [o, x, y]),
-            ([2.0, 2.0, 0.0], [y, x, o]),
-            ([-2.0, 1.0, 0.0], [o, x, y]),
-            (y, [o, x, [8.0, 0.0, 0.0]]),
-            (y, [x, x, x]),
-        ],
-        others: random(|r| {
-            let scale = r.scale();
-            let mut triple = || r.triple(9.0).map(|x| x * scale);
-            (triple(), [triple(), triple(), triple()])
-        }),
-        answer: |barycentric: &Code, (p, corners): ([f64; 3], [[f64; 3]; 3])| {
-            barycentric(point(p), corners.map(point))
-        },
-    };
     Exercise {
-        questions: points.into(),
         picture: Picture::own(triangle),
+        ..Exercise::asked(|barycentric: &Code, (p, a, b, c)| {
+            barycentric(point(p), [a, b, c].map(point))
+        })
     }
 }
 

@@ -11,24 +11,12 @@ pub struct Code {
 }
 
 pub fn exercise() -> Exercise<Code> {
-    let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let vectors = Questions {
-        words: "a = {}, b = {}",
-        simple: vec![
-            (x, y),
-            (y, x),
-            ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]),
-            ([1.0, 2.0, 3.0], [-4.0, 0.0, 6.0]),
-        ],
-        others: random(|r| (r.triple(9.0), r.triple(9.0))),
-        answer: |code: &Code, (a, b)| {
+    Exercise {
+        picture: Picture::own(balls),
+        ..Exercise::asked(|code: &Code, (a, b)| {
             let (a, b) = (vector(a), vector(b));
             Answer::named("a · b", (code.dot)(a, b)).and("a × b", array((code.cross)(a, b)))
-        },
-    };
-    Exercise {
-        questions: vectors.into(),
-        picture: Picture::own(balls),
+        })
     }
 }
 

@@ -7,31 +7,12 @@ use crate::prelude::*;
 yours! { reflected }
 
 type Code = fn(Vector3, Normal3) -> Vector3;
-
 pub fn exercise() -> Exercise<Code> {
-    let up = [0.0, 1.0, 0.0];
-    let vectors = Questions {
-        words: "v = {}, n = {}",
-        // To the side, along the normal, along the surface, and from behind.
-        simple: vec![
-            ([-2.0, 1.0, 0.0], up),
-            ([0.0, 1.0, 0.0], up),
-            ([3.0, 0.0, 0.0], up),
-            ([1.0, -2.0, 0.0], up),
-        ],
-        others: random(|r| {
-            let n = vector(r.triple(5.0)).normalized().unwrap_or_default();
-            (r.triple(5.0), array(n))
-        }),
-        answer: |reflected: &Code, (v, n)| {
-            reflected(vector(v), vector(n).as_normal())
-                .to_glam()
-                .to_array()
-        },
-    };
     Exercise {
-        questions: vectors.into(),
         picture: Picture::own(|reflected: &Code, settings| parabola(*reflected, settings)),
+        ..Exercise::asked(|reflected: &Code, (v, n)| {
+            array(reflected(vector(v), vector(n).as_normal()))
+        })
     }
 }
 
