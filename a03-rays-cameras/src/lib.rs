@@ -18,6 +18,8 @@ pub mod scenes;
 mod striped_sky;
 mod view;
 
+#[cfg(not(target_family = "wasm"))]
+pub use crate::program::inspector::inspector;
 pub use crate::program::kinds;
 pub use crate::program::stage;
 pub use crate::program::traced_world::TracedWorld;

@@ -13,7 +13,11 @@ use a07_transforms::{Node, Transform, traced};
 use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size, Stage};
 
 fn main() -> ExitCode {
-    program::run(&stage(), a01_image_display::viewer())
+    program::run(
+        &stage(),
+        a01_image_display::viewer(),
+        a03_rays_cameras::inspector,
+    )
 }
 
 /// The picture as a stage, so that its program can show and its test lock it. The engine

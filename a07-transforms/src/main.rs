@@ -4,5 +4,9 @@
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
-    program::run(&a07_transforms::stage(), a01_image_display::viewer())
+    program::run(
+        &a07_transforms::stage(),
+        a01_image_display::viewer(),
+        a03_rays_cameras::inspector,
+    )
 }

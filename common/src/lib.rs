@@ -42,7 +42,7 @@ pub use median::Median;
 pub use omission::{Omission, Omissions};
 pub use progress::Progress;
 pub use sampling_report::SamplingReport;
-pub use scene::{Paint, Picture, Scene, SeenLine, Traced, UsedSettings};
+pub use scene::{Paint, Picture, Scene, Traced, UsedSettings};
 pub use settings::{Edits, Renderer, Sampling, Settings};
 pub use size::Size;
 pub use stage::Stage;

@@ -24,15 +24,6 @@ pub struct UsedSettings {
     pub file: bool,
 }
 
-/// A piece of a ray in the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeenLine {
-    /// Both ends, in pixels from the upper left corner.
-    pub ends: [[f64; 2]; 2],
-    /// Whether an object lies before it.
-    pub is_hidden: bool,
-}
-
 /// How the picture of a scene is made.
 #[derive(Clone)]
 pub enum Picture {
@@ -54,27 +45,6 @@ pub trait Traced: Any + Send + Sync {
     /// The numbers behind a pixel, whose column and row lie in the picture, by the renderer of
     /// the settings. The engine has only those of the samples.
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error>;
-
-    /// Why the picture is black all over; none if no reason is sure.
-    fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error>;
-
-    /// The rays of the first sample from the side and from above, as SVG, whose title has the name of
-    /// the scene.
-    fn drawing(
-        &self,
-        settings: &Settings,
-        trace: &PixelTrace,
-        scene: &str,
-    ) -> Result<String, Error>;
-
-    /// The rays of the first sample after the camera's, as the camera sees them.
-    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error>;
-
-    /// The camera as the lines of a scene file.
-    fn camera_lines(&self, settings: &Settings) -> Result<String, Error>;
-
-    /// The scene as text in a language: `toml` or `povray`.
-    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;
 
     /// The numbers of the scene file in the order of its text, with colours in bytes as pictures with
     /// the transfer of the settings have them; none if it is no scene of a file.
@@ -182,11 +152,14 @@ impl Scene {
     pub fn rays(&self) -> Result<&dyn Traced, Error> {
         match &self.picture {
             Picture::Traced(traced) => Ok(&**traced),
-            Picture::Painted(_) => Err(Error::Usage(format!(
-                "{} is painted, without rays to follow",
-                self.name
-            ))),
+            Picture::Painted(_) => Err(self.no_rays()),
         }
+    }
+
+    /// The error for a painted scene, whose rays are asked for.
+    #[must_use]
+    pub fn no_rays(&self) -> Error {
+        Error::Usage(format!("{} is painted, without rays to follow", self.name))
     }
 
     /// Renders the picture.

@@ -5,12 +5,14 @@
 
 use common::{Omissions, Renderer, Settings, steps};
 
+#[cfg(not(target_family = "wasm"))]
 mod black_picture;
 mod drawing;
 mod footprint;
 pub mod orbit_camera;
 pub mod pixel_trace;
 pub mod recorded;
+#[cfg(not(target_family = "wasm"))]
 mod seen_rays;
 
 /// The task of the wrappers around the parts of a view.

@@ -1,9 +1,10 @@
 //! `Views`: where the camera and the world of a traced scene come from.
 
+use std::any::Any;
+
 use common::sensitivity::{Footprint, NumberPlace};
 use common::{
-    ArgumentError, Color, Edits, Error, Image, PixelTrace, Progress, Scene, SeenLine, Settings,
-    Size, Traced,
+    ArgumentError, Color, Edits, Error, Image, PixelTrace, Progress, Scene, Settings, Size, Traced,
 };
 
 use super::kinds::NumberedFile;
@@ -27,6 +28,12 @@ pub fn traced_scene(
 }
 
 impl Views {
+    /// Those of a scene; an error if it is painted.
+    pub fn of(scene: &Scene) -> Result<&Self, Error> {
+        let rays: &dyn Any = scene.rays()?;
+        rays.downcast_ref().ok_or_else(|| scene.no_rays())
+    }
+
     /// Camera and world for a picture with these settings, with the camera where a person has moved
     /// it in the window.
     pub fn view(&self, settings: &Settings) -> Result<View, Error> {
@@ -52,33 +59,6 @@ impl Traced for Views {
 
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
         Ok(self.view(settings)?.trace(settings, pixel))
-    }
-
-    fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error> {
-        let of_stage = matches!(self, Self::Code(_));
-        Ok(self.view(settings)?.why_black(settings, of_stage))
-    }
-
-    fn drawing(
-        &self,
-        settings: &Settings,
-        trace: &PixelTrace,
-        scene: &str,
-    ) -> Result<String, Error> {
-        Ok(self.view(settings)?.drawing(&trace.steps, scene))
-    }
-
-    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error> {
-        let view = self.view(settings)?;
-        Ok(view.seen_rays(settings.size, &trace.steps))
-    }
-
-    fn camera_lines(&self, settings: &Settings) -> Result<String, Error> {
-        self.view(settings)?.camera_lines(settings)
-    }
-
-    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
-        self.view(settings)?.export(language, settings)
     }
 
     fn numbers(&self, settings: &Settings) -> Option<Vec<NumberPlace>> {

@@ -3,5 +3,9 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    program::run(&a07_lab::go_wrong::stage(), a01_image_display::viewer())
+    program::run(
+        &a07_lab::go_wrong::stage(),
+        a01_image_display::viewer(),
+        a03_rays_cameras::inspector,
+    )
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use a03_rays_cameras::inspector;
 use common::steps::{Step, StepKind};
 use common::{Color, PixelTrace, Renderer, Scene, Settings, Size};
 
@@ -82,9 +83,10 @@ fn the_steps_of_a_pixel_add_up_to_its_colour() {
 #[test]
 fn a_drawing_shows_objects_and_rays() {
     let scene = &a06_shadows_reflection::stage().scenes[0];
-    let explained = scene.rays().unwrap();
-    let trace = explained.trace(&scene.defaults, [250, 250]).unwrap();
-    let drawing = explained
+    let rays = scene.rays().unwrap();
+    let trace = rays.trace(&scene.defaults, [250, 250]).unwrap();
+    let drawing = inspector(scene)
+        .unwrap()
         .drawing(&scene.defaults, &trace, scene.name)
         .unwrap();
     for (part, times) in [

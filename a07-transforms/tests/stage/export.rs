@@ -1,5 +1,6 @@
 //! What the exported scenes say to other programs.
 
+use a03_rays_cameras::inspector;
 use common::Scene;
 
 use crate::scene_cases::open;
@@ -44,8 +45,8 @@ fn pov_ray_sees_normals_that_are_equal_as_those_of_a_smooth_triangle() {
     ] {
         let scene = triangle(second, third);
         let export = |language| {
-            let rays = scene.rays().unwrap();
-            rays.export(language, &scene.defaults).unwrap()
+            let inspected = inspector(&scene).unwrap();
+            inspected.export(language, &scene.defaults).unwrap()
         };
         let [a, b, c] = normals(&export("povray"));
         let farthest = distance(a, b).max(distance(a, c));

@@ -1,11 +1,9 @@
 //! The pictures of the book that its pages can render, by the names of their files.
 
-use std::any::Any;
-
 use a02_math::Point3;
 use a03_rays_cameras::{View, Views};
 use a07_lab::{errata, go_wrong};
-use common::{Error, Picture, Scene, Settings, Stage};
+use common::{Error, Scene, Settings, Stage};
 
 use crate::file;
 
@@ -54,11 +52,8 @@ pub fn scene(picture: &str) -> Result<Scene, Error> {
 
 /// The view of a picture; none if the picture is painted.
 pub fn view(picture: &str, settings: &Settings) -> Result<Option<View>, Error> {
-    let Picture::Traced(traced) = scene(picture)?.picture else {
-        return Ok(None);
-    };
-    let any: &dyn Any = &*traced;
-    let views = any.downcast_ref::<Views>();
+    let scene = scene(picture)?;
+    let views = Views::of(&scene).ok();
     views.map(|views| views.view(settings)).transpose()
 }
 

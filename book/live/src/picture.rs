@@ -1,7 +1,7 @@
 //! Renders the pictures of the book for its pages, and takes the numbers behind a pixel.
 
-use a03_rays_cameras::View;
 use a03_rays_cameras::instruments::orbit_camera::{Orbit, OrbitCamera};
+use a03_rays_cameras::{View, Views};
 use common::{Error, PixelTrace, Renderer, Sampling, Settings, Transfer};
 
 use crate::{Answer, Answered, catalogue};
@@ -80,7 +80,9 @@ pub fn drawing(picture: &str, numbers: &[f64]) -> Answered {
 /// The scene of a picture as a scene file.
 pub fn export(picture: &str) -> Answered {
     let scene = catalogue::scene(picture)?;
-    let text = scene.rays()?.export("toml", &scene.defaults)?;
+    let text = Views::of(&scene)?
+        .view(&scene.defaults)?
+        .export("toml", &scene.defaults)?;
     Ok(Answer::text(text))
 }
 

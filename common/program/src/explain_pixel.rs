@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use common::{Color, Error, Renderer, Scene, Settings, atomic_file, text};
 
+use crate::Inspector;
 use crate::by_numbers::list_numbers;
 use crate::explained_pixel::trace_in_words;
 use crate::options::Options;
@@ -50,14 +51,14 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 }
 
 /// Explains a pixel of the scene.
-pub fn explain(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
+pub fn explain(scene: &Scene, inspector: Inspector, arguments: &ExplainArgs) -> Result<(), Error> {
     let (options, settings) = (&arguments.options, arguments.options.settings(scene)?);
     let pixel = arguments.pixel;
     check(&settings, pixel, arguments)?;
     if arguments.by_numbers {
         return list_numbers(scene, pixel, &settings, options, arguments.json);
     }
-    explain_pixel(scene, pixel, settings, arguments)
+    explain_pixel(scene, pixel, settings, inspector, arguments)
 }
 
 /// Lists every number behind a pixel, and compares its colour with the rendered picture.
@@ -65,6 +66,7 @@ fn explain_pixel(
     scene: &Scene,
     pixel: [u32; 2],
     settings: Settings,
+    inspector: Inspector,
     arguments: &ExplainArgs,
 ) -> Result<(), Error> {
     let ([x, y], options) = (pixel, &arguments.options);
@@ -86,7 +88,7 @@ fn explain_pixel(
         trace_in_words(scene, &settings, &trace)
     })?;
     if let Some(path) = &arguments.drawing {
-        let drawing = rays.drawing(&settings, &trace, scene.name)?;
+        let drawing = inspector(scene)?.drawing(&settings, &trace, scene.name)?;
         atomic_file::write(path, drawing.as_bytes())?;
         warn(&format!("note: the drawing is {}", text::path(path)));
     }
@@ -101,7 +103,7 @@ fn explain_pixel(
         // The lesson takes minutes for the other pixels.
         compared.renderer = Renderer::Engine;
     }
-    let rendered = render(scene, &compared, options)?.get(x, y);
+    let rendered = render(scene, &compared, inspector, options)?.get(x, y);
     if rendered != Some(color) {
         let (rendered, color) = (rendered.map(Color::channels), color.channels());
         warn(&format!(

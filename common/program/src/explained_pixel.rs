@@ -2,7 +2,9 @@
 
 use common::pixel_trace::digits;
 use common::steps::{Outcome, StepKind};
-use common::{Color, Error, Picture, PixelTrace, Renderer, Sampling, Scene, SeenLine, Settings};
+use common::{Color, Error, Picture, PixelTrace, Renderer, Sampling, Scene, Settings};
+
+use crate::{Inspector, SeenLine};
 
 /// Most samples of a pixel that are followed: of more, one in the middle stands for all.
 const MOST_SAMPLES: u32 = 16;
@@ -26,6 +28,7 @@ impl ExplainedPixel {
     pub fn new(
         scene: &Scene,
         mut settings: Settings,
+        inspector: Inspector,
         pixel: [u32; 2],
         color: Color,
     ) -> Result<Self, Error> {
@@ -53,7 +56,7 @@ impl ExplainedPixel {
             pixel,
             object: first_object(&trace),
             color: trace.color,
-            rays: traced.seen_rays(&settings, &trace)?,
+            rays: inspector(scene)?.seen_rays(&settings, &trace)?,
             text,
         })
     }

@@ -8,6 +8,7 @@ use std::process::{self, ExitCode};
 use clap::{Args, Subcommand};
 use common::{Error, Stage, atomic_file, text, workbook};
 
+use crate::Inspector;
 use crate::explain_pixel::{ExplainArgs, explain};
 use crate::options::Options;
 use crate::print::print;
@@ -56,9 +57,11 @@ pub struct Arguments {
 }
 
 /// Runs a command and returns the exit code.
-pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
+pub fn execute(stage: &Stage, inspector: Inspector, command: Command) -> Result<ExitCode, Error> {
     let done = match command {
-        Command::Explain { scene, arguments } => explain(&stage.scene(&scene)?, &arguments),
+        Command::Explain { scene, arguments } => {
+            explain(&stage.scene(&scene)?, inspector, &arguments)
+        }
         Command::Export {
             scene,
             to,
@@ -66,7 +69,7 @@ pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
             options,
         } => {
             let scene = stage.scene(&scene)?;
-            let text = scene.rays()?.export(&to, &options.settings(&scene)?)?;
+            let text = inspector(&scene)?.export(&to, &options.settings(&scene)?)?;
             match output {
                 Some(path) => {
                     check_no_input(&path, &scene, &options)?;

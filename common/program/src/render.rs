@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use common::{Error, Image, Renderer, Scene, Settings, Stage, text};
 
+use crate::Inspector;
 use crate::black_picture::warn_if_black;
 use crate::opened_file::OpenedFile;
 use crate::options::Options;
@@ -27,6 +28,7 @@ pub fn render_to_files(
     scenes: &[Scene],
     output: Option<PathBuf>,
     explains_work: bool,
+    inspector: Inspector,
     options: &Options,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -41,7 +43,7 @@ pub fn render_to_files(
             work::explain(scene, &settings, options)?;
         }
         let start = Instant::now();
-        let image = render(scene, &settings, options)?;
+        let image = render(scene, &settings, inspector, options)?;
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         let path = text::visible(&path.to_string_lossy());
@@ -90,7 +92,12 @@ fn warn_error(error: &Error) {
 }
 
 /// Renders a scene, with a bar on the terminal.
-pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<Image, Error> {
+pub fn render(
+    scene: &Scene,
+    settings: &Settings,
+    inspector: Inspector,
+    options: &Options,
+) -> Result<Image, Error> {
     let is_lesson = scene.uses.sampling && settings.renderer == Renderer::Lesson;
     let hint = is_lesson.then_some("note: --fast draws the same picture sooner");
     let progress = TerminalProgress::new(scene.name, settings.size).with_hint(hint);
@@ -120,7 +127,7 @@ pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<I
             "warning: {bad} pixels of {name} are no finite numbers"
         ));
     }
-    warn_if_black(scene, settings, &image);
+    warn_if_black(scene, settings, inspector, &image);
     Ok(image)
 }
 

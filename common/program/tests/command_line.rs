@@ -9,7 +9,7 @@ use std::{env, fs};
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, picture_file};
 use measure::Laboratory;
 use measure::extremes::{Case, Number};
-use program::{Gallery, NotShown, run_with};
+use program::{Gallery, NotShown, no_rays, run_with};
 use testing::{Random, for_seeds};
 
 /// Set in the process that runs the programs: their messages are not output of a test,
@@ -40,7 +40,7 @@ fn run_many() {
         let line: Vec<_> = line.map(with_bytes).collect();
         let documented = [0, 1, 2].map(ExitCode::from);
         for code in [
-            run_with(&stage(), Some(look), line.clone()),
+            run_with(&stage(), Some(look), no_rays, line.clone()),
             measure::run_with(&laboratory(), line.clone()),
         ] {
             assert!(documented.contains(&code), "{code:?} for {line:?}");

@@ -9,6 +9,7 @@ mod left_out;
 mod program_run;
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use common::{Image, Renderer, Scene, Settings, Stage, Transfer, fnv1a, picture_file};
 use program::picture_name;
@@ -119,17 +120,19 @@ const RENDERERS: [(Renderer, &str); 3] = [
     ),
 ];
 
-/// The scene of a file that the export of a scene makes, if the stage reads scene files.
-fn read_again(stage: &Stage, scene: &Scene) -> Option<Scene> {
+/// The scene of a file that the program exports from a scene, if the stage reads scene files.
+fn read_again(stage: &Stage, scene: &Scene, places: &TestPaths) -> Option<Scene> {
     let open = stage.open?;
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join(scene.name).with_extension("toml");
-    let text = scene
-        .rays()
-        .and_then(|rays| rays.export("toml", &scene.defaults));
-    let text = text.unwrap_or_else(|error| panic!("{}: {error}", scene.name));
-    std::fs::write(&file, &text).expect("a file");
-    Some(open(&file).unwrap_or_else(|error| panic!("{error}:\n{text}")))
+    let mut program = Command::new(places.program);
+    program.args(["export", scene.name, "--to", "toml", "-o"]);
+    let output = program.arg(&file).output().expect("the program runs");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}: {stderr}", scene.name);
+    let wrong = |error| panic!("{error}:
+{}", std::fs::read_to_string(&file).unwrap());
+    Some(open(&file).unwrap_or_else(wrong))
 }
 
 /// Renders a scene with all renderers and compares the pictures with its lock: all with the
@@ -145,7 +148,7 @@ pub fn check(stage: &Stage, test: &str, places: &TestPaths) {
     };
     let pictures = renderers.iter();
     let pictures = pictures.map(|(renderer, differs)| (scene.clone(), *renderer, *differs));
-    let again = read_again(stage, &scene);
+    let again = read_again(stage, &scene, places);
     let again = again.map(|scene| (scene, Renderer::Engine, "from its file is another one"));
     for (scene, renderer, differs) in pictures.chain(again) {
         let settings = Settings {

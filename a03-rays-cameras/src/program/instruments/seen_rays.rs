@@ -1,8 +1,9 @@
 //! The rays of a trace as the camera sees them, for the picture.
 
 use a02_math::{Direction, Point3, Vector3};
+use common::Size;
 use common::steps::Step;
-use common::{SeenLine, Size};
+use program::SeenLine;
 
 use super::drawing::Lines;
 use crate::{Camera, View};
