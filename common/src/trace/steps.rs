@@ -14,7 +14,7 @@ use std::fmt;
 pub use chosen_pixel::{trace_chosen, with_chosen_pixel};
 pub use counts::{Counts, count, counted, is_counting};
 pub use kind::StepKind;
-pub use recorder::{expect_ray, take_expected_ray};
+pub use recorder::last;
 pub use trace::{heading, inside, is_tracing, push, so_far, traced, untraced};
 
 use crate::pixel_trace::digits;

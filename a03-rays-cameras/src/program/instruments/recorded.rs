@@ -24,7 +24,6 @@ impl Camera for RecordedCamera {
 
 /// Reports a ray from the camera.
 pub fn push_ray(ray: &Ray) {
-    steps::expect_ray(None);
     steps::heading(StepKind::CameraRay, |kind| {
         ray_step(
             kind,

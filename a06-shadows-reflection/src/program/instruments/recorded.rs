@@ -1,9 +1,8 @@
 //! Reports shadow rays, reflected rays and mirrors, by wrappers around the objects, lights and
 //! surfaces of a world.
 //!
-//! A search of the world begins with the test of an object. The wrappers around lights and
-//! surfaces say which ray it is for: one to the light that has been asked last, or one that leaves
-//! the surface that has been shaded.
+//! A search of the world begins with the test of its first object. Whether any object is hit is asked of
+//! a shadow ray, and which one is nearest of the camera's ray, which has just been reported, or of a reflected ray.
 
 use a02_math::Point3;
 use a03_rays_cameras::instruments::Instruments;
@@ -13,7 +12,7 @@ use a04_intersections::instruments::recorded as geometries;
 use a04_intersections::kinds::Shapes;
 use a04_intersections::{Geometry, Hit, Interval};
 use a05_lighting::instruments::recorded::{self as materials, RecordedMaterial};
-use a05_lighting::{Illumination, Light, Lighting, Material};
+use a05_lighting::{Lighting, Material};
 use common::steps::{self, Step, StepKind};
 use common::{Color, Omissions};
 
@@ -42,13 +41,14 @@ impl RecordedWorld {
         }
         let geometry = |number, geometry: Box<dyn Geometry>| {
             let recorded = geometries::geometry(number, geometry, shapes);
-            Box::new(SearchedObject(recorded)) as _
+            if number == 1 {
+                Box::new(FirstObject(recorded))
+            } else {
+                recorded
+            }
         };
         let light = |(number, source): (usize, LightSource)| LightSource {
-            light: Box::new(LightBeforeShadowRay(materials::light((
-                number,
-                source.light,
-            )))),
+            light: materials::light((number, source.light)),
             ..source
         };
         Self {
@@ -59,7 +59,6 @@ impl RecordedWorld {
 
     /// The colour that this function of the world finds for a ray from the camera.
     pub fn color(&self, trace: impl FnOnce(&ShadowedWorld) -> Color) -> Color {
-        steps::expect_ray(None);
         let color = trace(&self.world);
         geometries::push_background(self.world.objects().background());
         color
@@ -80,28 +79,21 @@ impl TracedWorld for RecordedWorld {
     }
 }
 
-/// An object of the world. The first one that is tested reports the ray of the search.
+/// The first object of the world, with whose test a search begins: it reports the ray.
 #[derive(Debug)]
-struct SearchedObject(Box<dyn Geometry>);
+struct FirstObject(Box<dyn Geometry>);
 
-impl Geometry for SearchedObject {
+impl Geometry for FirstObject {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        begin_search(ray, within);
+        if steps::last() != Some(StepKind::CameraRay) {
+            push_reflected_ray(ray);
+        }
         self.0.hit(ray, within)
     }
 
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
-        begin_search(ray, within);
+        push_shadow_ray(ray, within);
         self.0.any_hit(ray, within, counts)
-    }
-}
-
-/// Reports the ray if a search begins.
-fn begin_search(ray: &Ray, within: Interval) {
-    match steps::take_expected_ray() {
-        Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
-        Some(_) => push_reflected_ray(ray),
-        None => (),
     }
 }
 
@@ -151,19 +143,7 @@ fn push_offset(ray: &Ray, p: Option<Point3>) {
     });
 }
 
-/// A light after which a shadow ray is expected.
-#[derive(Debug)]
-struct LightBeforeShadowRay(Box<dyn Light>);
-
-impl Light for LightBeforeShadowRay {
-    fn illumination(&self, point: Point3) -> Option<Illumination> {
-        let light = self.0.illumination(point);
-        steps::expect_ray(Some(StepKind::ShadowRay));
-        light
-    }
-}
-
-/// A surface whose work is reported, after which a reflected ray is expected.
+/// A surface whose work is reported.
 #[derive(Debug)]
 pub struct RecordedSurface {
     recorded: RecordedMaterial,
@@ -187,9 +167,7 @@ impl RecordedSurface {
 
 impl Material for RecordedSurface {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        let color = self.recorded.color_for(ray, hit, lighting);
-        steps::expect_ray(Some(StepKind::ReflectedRay));
-        color
+        self.recorded.color_for(ray, hit, lighting)
     }
 }
 

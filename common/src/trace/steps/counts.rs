@@ -47,6 +47,7 @@ pub fn is_counting() -> bool {
 #[inline]
 pub fn count(kind: StepKind, times: u64) {
     RECORDER.with(|recorder| {
+        recorder.last.set(Some(kind));
         if recorder.mode.get() == Mode::Counting {
             let mut counts = recorder.counts.get();
             counts.0[kind as usize] += times;

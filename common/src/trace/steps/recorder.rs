@@ -25,8 +25,8 @@ pub(super) struct Recorder {
     pub mode: Cell<Mode>,
     pub counts: Cell<Counts>,
     pub trace: RefCell<Trace>,
-    /// The kind of the ray that the world is searched for next, after a light or a surface.
-    expected_ray: Cell<Option<StepKind>>,
+    /// The kind of the last step.
+    pub last: Cell<Option<StepKind>>,
     pub choice: RefCell<Choice>,
 }
 
@@ -36,7 +36,7 @@ thread_local! {
             mode: Cell::new(Mode::Off),
             counts: Cell::new(Counts::NONE),
             trace: RefCell::new(Trace::EMPTY),
-            expected_ray: Cell::new(None),
+            last: Cell::new(None),
             choice: RefCell::new(Choice::NONE),
         }
     };
@@ -48,15 +48,8 @@ pub(super) fn mode() -> Mode {
     RECORDER.with(|recorder| recorder.mode.get())
 }
 
-/// Says, before the world is searched, which kind of ray it will be searched for: the tracer's
-/// wrappers know that a light is asked before its shadow ray is sent, and that a surface is left by
-/// a reflected ray. None says that the next ray is reported by itself.
-pub fn expect_ray(kind: Option<StepKind>) {
-    RECORDER.with(|recorder| recorder.expected_ray.set(kind));
-}
-
-/// Takes the kind of ray that is expected: a search of the world begins.
+/// The kind of the last step that this thread has reported.
 #[must_use]
-pub fn take_expected_ray() -> Option<StepKind> {
-    RECORDER.with(|recorder| recorder.expected_ray.take())
+pub fn last() -> Option<StepKind> {
+    RECORDER.with(|recorder| recorder.last.get())
 }
