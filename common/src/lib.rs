@@ -5,9 +5,6 @@
 //! This crate needs no window and no terminal, builds for WebAssembly, and depends on no other crate
 //! of the workbook.
 
-/// Whether this build checks assertions, as those for development do.
-pub const CHECKS_ASSERTIONS: bool = cfg!(debug_assertions);
-
 pub mod argument;
 pub mod atomic_file;
 mod color;

@@ -25,7 +25,7 @@ mod vector;
 mod view;
 
 pub use camera::{Basis, Camera, RayFn};
-pub use lanes::level::at_each_level;
+pub use lanes::level::{HAS_ONE as HAS_ONE_LEVEL, at_each_level};
 pub use ray::{Hit, Ray};
 pub use renderer::Renderer;
 pub use sampler::Sampler;

@@ -6,7 +6,6 @@
 
 mod groups;
 mod hits;
-#[cfg(not(debug_assertions))]
 mod levels;
 mod lit;
 mod mirrors;

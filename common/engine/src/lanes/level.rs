@@ -1,8 +1,8 @@
 //! `level`: the instructions that a renderer uses.
 //!
 //! They are chosen when the program runs, so that one build is fast on each processor. On x86-64 they
-//! are AVX2, or else SSE2, which every such processor has; elsewhere there is one choice. The code of
-//! each is compiled once more. So a build for development, which is made most often, has SSE2 alone.
+//! are AVX2, or else SSE2, which every such processor has; elsewhere there is one choice. A build for
+//! development has SSE2 alone, as `build.rs` says.
 
 use std::cell::Cell;
 
@@ -12,9 +12,8 @@ thread_local! {
     static IS_LOWERED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Whether this build has the instructions of one level alone. The profile turns the engine's own
-/// assertions off, so that a crate that has them says whether this is a build for development.
-pub const HAS_ONE: bool = common::CHECKS_ASSERTIONS || cfg!(not(target_arch = "x86_64"));
+/// Whether this build has the instructions of one level alone.
+pub const HAS_ONE: bool = cfg!(one_level);
 
 /// The level of a new renderer: the best of this build and processor, unless [`at_each_level`] lowers it.
 pub fn level() -> Level {
