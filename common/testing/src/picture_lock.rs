@@ -130,8 +130,13 @@ fn read_again(stage: &Stage, scene: &Scene, places: &TestPaths) -> Option<Scene>
     let output = program.arg(&file).output().expect("the program runs");
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{}: {stderr}", scene.name);
-    let wrong = |error| panic!("{error}:
-{}", std::fs::read_to_string(&file).unwrap());
+    let wrong = |error| {
+        panic!(
+            "{error}:
+{}",
+            std::fs::read_to_string(&file).unwrap()
+        )
+    };
     Some(open(&file).unwrap_or_else(wrong))
 }
 
