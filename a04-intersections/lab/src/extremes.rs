@@ -39,7 +39,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
 const EPSILON: f64 = f64::EPSILON;
 
 /// The `t` of the nearest hit as an outcome, or the error of a constructor.
-fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
+fn nearest_hit<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
     tried(|| Ok(first(&shape?, &line.unit_ray()?)))
 }
 

@@ -5,6 +5,7 @@
 
 pub mod aimed_box;
 pub mod closed_mesh;
+pub mod compared_shape;
 pub mod exact;
 pub mod experiments;
 mod extremes;
@@ -14,7 +15,6 @@ pub mod mesh;
 pub mod number;
 pub mod protocol;
 pub mod rows;
-pub mod subject;
 pub mod support;
 pub mod sweeps;
 

@@ -6,7 +6,7 @@ use a02_math::arrays::array;
 use a02_math::{Direction, Mat3x3, Normal3, Point3};
 use a03_rays_cameras::Ray;
 
-use crate::formula::sphere::Shot;
+use crate::formula::sphere::SphereQuery;
 use crate::number::dot;
 
 /// Least distance of a hit, included for the triangle and excluded for box and
@@ -97,8 +97,8 @@ pub fn interpolated_normal([a, b, c]: [Normal3; 3], beta: f64, gamma: f64) -> No
 /// The sphere. Discriminant and roots cancel. The root is taken before the sign is tested.
 /// Comparisons with NaN are false and exclude it, except in the last branch, which runs only for
 /// the direction 0 and returns NaN.
-pub fn sphere(shot: &Shot) -> Option<f64> {
-    let Quadratic { a, b, discriminant } = sphere_equation(shot);
+pub fn sphere(query: &SphereQuery) -> Option<f64> {
+    let Quadratic { a, b, discriminant } = sphere_equation(query);
     let minus = (-b - discriminant.sqrt()) / (2.0 * a);
     let plus = (-b + discriminant.sqrt()) / (2.0 * a);
     if minus > NEAREST {
@@ -125,11 +125,11 @@ pub struct Quadratic {
 }
 
 /// The sphere's equation.
-pub fn sphere_equation(shot: &Shot) -> Quadratic {
-    let (f, d) = (shot.from_center(), &shot.line.direction);
+pub fn sphere_equation(query: &SphereQuery) -> Quadratic {
+    let (f, d) = (query.from_center(), &query.line.direction);
     let a = dot(d, d);
     let b = dot(d, &f.map(|x| 2.0 * x));
-    let c = dot(&f, &f) - shot.radius * shot.radius;
+    let c = dot(&f, &f) - query.radius * query.radius;
     Quadratic {
         a,
         b,

@@ -4,12 +4,12 @@ use a02_math::Direction;
 use corpus::{Question, Shape};
 use measure::extremes::{Case, Number, Outcome, Refused, Row};
 
+use crate::compared_shape::{BOX, ComparedShape, PLANE, SPHERE, TRIANGLE};
 use crate::line::{Line, line};
-use crate::subject::{BOX, PLANE, SPHERE, Subject, TRIANGLE};
 use crate::support::{first, vector};
 
-/// A shape, or several triangles, as a subject and the numbers of each.
-pub type Described = (&'static Subject, Vec<Vec<f64>>);
+/// A shape, or several triangles, as a compared shape and the numbers of each.
+pub type Described = (&'static ComparedShape, Vec<Vec<f64>>);
 
 /// A shape of this stage; `None` for a disc or a tube.
 pub fn described(shape: &Shape) -> Option<Described> {
@@ -33,14 +33,14 @@ pub fn line_of(question: &Question) -> Line {
 }
 
 /// The distance of the nearest hit, by the lesson's formula and the protocol's.
-pub fn met((subject, shapes): Described, row: &Row, question: &Question) -> Case {
+pub fn met((compared, shapes): Described, row: &Row, question: &Question) -> Case {
     let line = line_of(question);
     let mut nearest: Option<Case> = None;
     for numbers in &shapes {
         let met = match row.asks.as_str() {
-            "distance" => subject.met(numbers, line),
-            "as-given" => met_as_given(subject, numbers, line),
-            "unchecked" => met_unchecked(subject, numbers, line),
+            "distance" => compared.met(numbers, line),
+            "as-given" => met_as_given(compared, numbers, line),
+            "unchecked" => met_unchecked(compared, numbers, line),
             _ => Row::unknown(),
         };
         nearest = Some(match nearest {
@@ -58,20 +58,20 @@ pub fn met((subject, shapes): Described, row: &Row, question: &Question) -> Case
 }
 
 /// Where the protocol's formula gets a direction of another length, in units of which its `t` is.
-fn met_as_given(subject: &Subject, numbers: &[f64], line: Line) -> Case {
+fn met_as_given(compared: &ComparedShape, numbers: &[f64], line: Line) -> Case {
     let Ok(ray) = line.unit_ray() else {
-        return Case::of(Refused, (subject.protocol)(numbers, &line.raw_ray()));
+        return Case::of(Refused, (compared.protocol)(numbers, &line.raw_ray()));
     };
     let length = ray.direction().dot(vector(line.direction));
-    let theirs = (subject.protocol)(numbers, &line.raw_ray());
-    Case::of(subject.lesson(numbers, &ray), theirs.map(|t| t * length))
+    let theirs = (compared.protocol)(numbers, &line.raw_ray());
+    Case::of(compared.lesson(numbers, &ray), theirs.map(|t| t * length))
 }
 
 /// A ray that no scene contains, past its constructor.
-fn met_unchecked(subject: &Subject, numbers: &[f64], line: Line) -> Case {
+fn met_unchecked(compared: &ComparedShape, numbers: &[f64], line: Line) -> Case {
     let ray = line.raw_ray();
-    let ours = (subject.make)(numbers).map(|shape| first(&*shape, &ray));
-    Case::of(ours.ok_or(Refused), (subject.protocol)(numbers, &ray))
+    let ours = (compared.make)(numbers).map(|shape| first(&*shape, &ray));
+    Case::of(ours.ok_or(Refused), (compared.protocol)(numbers, &ray))
 }
 
 /// The lesser of two distances.

@@ -15,10 +15,10 @@ use a02_lab::sweep::{Exercise, Point};
 use a03_rays_cameras::Ray;
 use measure::extremes::Both;
 
+use crate::compared_shape::{ComparedShape, SPHERE};
 use crate::formula::sphere::terms;
 use crate::line::Line;
 use crate::number::{Triple, difference};
-use crate::subject::{SPHERE, Subject};
 
 /// The exercise of a shape.
 const fn exercise(name: &'static str) -> Exercise {
@@ -26,10 +26,10 @@ const fn exercise(name: &'static str) -> Exercise {
 }
 
 /// The `t` of the first hit of a ray, by the lesson and by the protocol.
-fn both(subject: &Subject, shape: &[f64], ray: &Ray) -> Both<Option<f64>> {
+fn both(compared: &ComparedShape, shape: &[f64], ray: &Ray) -> Both<Option<f64>> {
     Both {
-        ours: subject.lesson(shape, ray),
-        theirs: (subject.protocol)(shape, ray),
+        ours: compared.lesson(shape, ray),
+        theirs: (compared.protocol)(shape, ray),
     }
 }
 

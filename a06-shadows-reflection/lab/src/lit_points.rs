@@ -11,7 +11,7 @@ use crate::policy::Policy;
 use crate::surface::{Shape, Surface, at};
 
 /// A point that a light shines on.
-pub struct Trial {
+pub struct LitPoint {
     pub surface: Surface,
     /// The ray that sees the point.
     pub ray: Ray,
@@ -22,7 +22,7 @@ pub struct Trial {
     size: f64,
 }
 
-impl Trial {
+impl LitPoint {
     /// The computed point.
     pub fn point(&self) -> Point3 {
         self.ray.at(self.hit.t)
@@ -45,7 +45,7 @@ impl Trial {
     }
 }
 
-/// Where the eyes of trials are, and where they look. Lengths are in sizes of the scene.
+/// Where the eyes are, and where they look. Lengths are in sizes of the scene.
 #[derive(Clone, Copy)]
 pub struct Aim {
     pub middle: Triple,
@@ -66,25 +66,25 @@ pub const AIM: Aim = Aim {
 /// Rays for each point at most: a wrong formula may hit nothing.
 const MOST_RAYS: usize = 1_000;
 
-/// A shape, an eye and a target where it looks, from random numbers.
-pub struct Look {
+/// A shape, and a ray from an eye to a target, from random numbers.
+pub struct EyeRay {
     pub surface: Surface,
     pub eye: Point3,
     pub target: Point3,
 }
 
-/// Looks at a shape of a size in a scene of a size.
-pub fn looks(
+/// Rays from the eye to a shape of a size in a scene of a size.
+pub fn eye_rays(
     shape: Shape,
     shape_size: f64,
     size: f64,
     aim: Aim,
-) -> Result<impl Fn(&mut Numbers) -> Result<Look, Error>, Error> {
+) -> Result<impl Fn(&mut Numbers) -> Result<EyeRay, Error>, Error> {
     let (surface, middle) = (shape(shape_size)?, at(size, aim.middle));
     Ok(move |numbers: &mut Numbers| {
         let direction = numbers.triple(-1.0, 1.0).unit("eye")?;
         let aside = numbers.triple(-1.0, 1.0);
-        Ok(Look {
+        Ok(EyeRay {
             surface: surface.clone(),
             eye: middle + direction * (aim.distance * size),
             target: middle + aside * (aim.within * size),
@@ -93,23 +93,23 @@ pub fn looks(
 }
 
 /// Lit points in scenes of a size.
-pub fn trials(
+pub fn from_eye_rays(
     count: usize,
     seed: u64,
     size: f64,
-    look: impl Fn(&mut Numbers) -> Result<Look, Error>,
-) -> Result<Vec<Trial>, Error> {
-    let mut trials = Vec::new();
+    eye_ray: impl Fn(&mut Numbers) -> Result<EyeRay, Error>,
+) -> Result<Vec<LitPoint>, Error> {
+    let mut points = Vec::new();
     for n in 0..MOST_RAYS * count {
-        if trials.len() == count {
+        if points.len() == count {
             break;
         }
         let mut numbers = Numbers::new(seed, n);
-        let Look {
+        let EyeRay {
             surface,
             eye,
             target,
-        } = look(&mut numbers)?;
+        } = eye_ray(&mut numbers)?;
         let ray = Ray::new(eye, target - eye)?;
         let Some((hit, ())) = surface.hit(&ray, Interval::AHEAD) else {
             continue;
@@ -120,7 +120,7 @@ pub fn trials(
         if cosine.abs() < 1e-3 {
             continue;
         }
-        trials.push(Trial {
+        points.push(LitPoint {
             surface,
             ray,
             hit,
@@ -128,12 +128,12 @@ pub fn trials(
             size,
         });
     }
-    let are_all = trials.len() == count;
+    let are_all = points.len() == count;
     argument::check(
         "lit points",
-        trials.len() as f64,
+        points.len() as f64,
         are_all,
         "as many as asked for",
     )?;
-    Ok(trials)
+    Ok(points)
 }

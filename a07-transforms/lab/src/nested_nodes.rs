@@ -5,20 +5,20 @@ use std::f64::consts::TAU;
 use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
 use a04_lab::support::Numbers;
-use a06_lab::lit_points::{Look, Trial, trials};
+use a06_lab::lit_points::{EyeRay, LitPoint, from_eye_rays};
 use a06_lab::surface::surface;
 use common::{ArgumentError, Error};
 
 use a07_transforms::{Disc, Node, Transform};
 
 /// Lit points of shapes under nodes of this condition.
-pub fn lit_points(count: usize, seed: u64, condition: f64) -> Result<Vec<Trial>, Error> {
-    trials(count, seed, 1.0, |numbers| look(numbers, condition))
+pub fn lit_points(count: usize, seed: u64, condition: f64) -> Result<Vec<LitPoint>, Error> {
+    from_eye_rays(count, seed, 1.0, |numbers| eye_ray(numbers, condition))
 }
 
-/// A look at a box, ball or disc under one to three nodes, each of which translates, flattens
+/// A ray from the eye to a box, ball or disc under one to three nodes, each of which translates, flattens
 /// and, one time in two each, turns before and after.
-fn look(numbers: &mut Numbers, condition: f64) -> Result<Look, Error> {
+fn eye_ray(numbers: &mut Numbers, condition: f64) -> Result<EyeRay, Error> {
     let mut shape = any_shape(numbers)?;
     let mut target = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
     let levels = 1 + numbers.below(3);
@@ -30,7 +30,7 @@ fn look(numbers: &mut Numbers, condition: f64) -> Result<Look, Error> {
     }
     // Farther away than the three nodes reach.
     let eye = Point3::ORIGIN + numbers.direction() * 9.0;
-    Ok(Look {
+    Ok(EyeRay {
         surface: surface(shape)?,
         eye,
         target,

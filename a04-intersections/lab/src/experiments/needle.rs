@@ -8,7 +8,7 @@ use a03_rays_cameras::Ray;
 use common::ArgumentError;
 use measure::experiment::{Axis, Curve, ErrorBound, Experiment, Slope, TaskSet, Unit};
 
-use crate::formula::triangle::{Meeting, fused, moeller_trumbore, watertight};
+use crate::formula::triangle::{PlaneHit, fused, moeller_trumbore, watertight};
 use crate::line::Line;
 use crate::number::Triple;
 use crate::support::{Numbers, first};
@@ -70,7 +70,7 @@ fn with_rays(n: usize, aspect: f64, rays: usize) -> Result<Vec<Needle>, Argument
 /// The relative error of a `t`, if the exact barycentric coordinates are not near 0. A
 /// miss counts as 1.
 fn error(needle: &Needle, found: Option<f64>) -> Option<f64> {
-    let Meeting { t, beta, gamma } = exact::triangle(&needle.corners, &needle.line);
+    let PlaneHit { t, beta, gamma } = exact::triangle(&needle.corners, &needle.line);
     let [beta, gamma] = [beta.value(), gamma.value()];
     let least = beta.min(gamma).min(1.0 - beta - gamma);
     let error = found.map_or(1.0, |found| t.error_of(found) / t.value());

@@ -4,19 +4,19 @@
 use measure::Effort;
 use measure::extremes::{Both, Case, Fails, Number};
 
-use crate::experiments::far_sphere::{Formula, is_wrong, ours, shots};
-use crate::formula::sphere::Shot;
+use crate::compared_shape::{BOX, ComparedShape, PLANE, SPHERE, TRIANGLE};
+use crate::experiments::far_sphere::{Formula, is_wrong, ours, queries};
+use crate::formula::sphere::SphereQuery;
 use crate::line::line;
 use crate::protocol;
-use crate::subject::{BOX, PLANE, SPHERE, Subject, TRIANGLE};
 use crate::support::{Numbers, Triple};
 
 /// Number of rays from a distance with a wrong decision between hit and miss of a unit sphere.
 fn wrong_hits(distance: f64, rays: usize) -> Case {
-    let shots = shots(distance, rays);
+    let queries = queries(distance, rays);
     let count = |formula: Formula| {
-        let is_wrong = |shot: &&Shot| is_wrong(shot, formula(shot));
-        shots.iter().filter(is_wrong).count()
+        let is_wrong = |query: &&SphereQuery| is_wrong(query, formula(query));
+        queries.iter().filter(is_wrong).count()
     };
     Case::of(count(ours), count(protocol::sphere))
 }
@@ -43,7 +43,7 @@ impl Place {
     }
 
     /// Four shapes with their numbers at this place.
-    fn shapes(self) -> [(Subject, Vec<f64>); 4] {
+    fn shapes(self) -> [(ComparedShape, Vec<f64>); 4] {
         let opposite = [[-0.75, -0.5, -1.0], [0.5, 1.25, 0.75]];
         let corners = [[-1.5, 0.25, 0.0], [1.0, -1.25, 0.5], [0.5, 1.5, -0.75]];
         let center = self.at([0.25, 0.125, -0.5]);

@@ -5,8 +5,8 @@ use a02_math::{Direction, Point3};
 use common::{ArgumentError, Color};
 use measure::extremes::{Case, Fails, Known, Nothing, Number, Outcome, tried};
 
-use super::meeting;
-use crate::formula::sphere::Shot;
+use super::nearest_hit;
+use crate::formula::sphere::SphereQuery;
 use crate::line::{Line, line};
 use crate::protocol::{self, Quadratic};
 use crate::support::{Triple, vector};
@@ -20,8 +20,8 @@ fn unit() -> Result<Sphere, ArgumentError> {
 }
 
 /// A line towards the unit sphere.
-fn towards_unit(line: Line) -> Shot {
-    Shot {
+fn towards_unit(line: Line) -> SphereQuery {
+    SphereQuery {
         center: ORIGIN,
         radius: 1.0,
         line,
@@ -50,7 +50,7 @@ fn root_of_a_miss() -> Case {
     let past = line([-5.0, 2.0, 0.0], [1.0, 0.0, 0.0]);
     let Quadratic { a, b, discriminant } = protocol::sphere_equation(&towards_unit(past));
     let theirs: Outcome = ((-b - discriminant.sqrt()) / (2.0 * a)).into();
-    Case::of(meeting(unit(), past), theirs)
+    Case::of(nearest_hit(unit(), past), theirs)
 }
 
 pub fn cases() -> Vec<Case> {

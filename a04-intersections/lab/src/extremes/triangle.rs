@@ -6,7 +6,7 @@ use a03_rays_cameras::Ray;
 use common::ArgumentError;
 use measure::extremes::{Both, Case, Fails, Known, Number, Ulps, Without, count_wrong, tried};
 
-use super::meeting;
+use super::nearest_hit;
 use crate::line::{Line, line};
 use crate::protocol;
 use crate::support::{Numbers, Triple, first, point};
@@ -50,7 +50,7 @@ fn points_within() -> Case {
         let mut numbers = Numbers::new(33, n);
         let beta = numbers.between(0.01, 0.98);
         let gamma = numbers.between(0.005, 0.99 - beta);
-        let is_met = meeting(half(), at(beta, gamma)) == Number(1.0);
+        let is_met = nearest_hit(half(), at(beta, gamma)) == Number(1.0);
         ours += usize::from(is_met);
         let is_inside = protocol::is_inside_by_the_text(beta, gamma);
         theirs += usize::from(is_inside);

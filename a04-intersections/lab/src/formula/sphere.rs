@@ -11,16 +11,16 @@ use crate::number::{Number, Triple, difference, dot};
 
 /// A line towards a sphere.
 #[derive(Clone, Copy, Debug)]
-pub struct Shot<N = f64> {
+pub struct SphereQuery<N = f64> {
     pub center: Triple<N>,
     pub radius: N,
     pub line: Line<N>,
 }
 
-impl Shot {
-    /// The shot in numbers of another type.
-    pub fn to<N: Number>(&self) -> Shot<N> {
-        Shot {
+impl SphereQuery {
+    /// The query in numbers of another type.
+    pub fn to<N: Number>(&self) -> SphereQuery<N> {
+        SphereQuery {
             center: self.center.map(N::of),
             radius: N::of(self.radius),
             line: self.line.to(),
@@ -28,7 +28,7 @@ impl Shot {
     }
 }
 
-impl<N: Number> Shot<N> {
+impl<N: Number> SphereQuery<N> {
     /// From the centre to the origin of the line.
     pub fn from_center(&self) -> Triple<N> {
         difference(&self.line.origin, &self.center)
@@ -101,18 +101,18 @@ impl Terms<f64> {
 }
 
 /// The formula of the lesson.
-pub fn stable(shot: &Shot) -> Option<f64> {
-    let (f, r) = (shot.from_center(), shot.radius);
+pub fn stable(query: &SphereQuery) -> Option<f64> {
+    let (f, r) = (query.from_center(), query.radius);
     let power = dot(&f, &f) - r * r;
-    terms(&f, r, &shot.line.direction).stable_root(power)
+    terms(&f, r, &query.line.direction).stable_root(power)
 }
 
 /// The formula of the lesson with `f · f - r²` in twice as many digits: near a huge
 /// sphere this is the difference of two huge numbers.
-pub fn compensated(shot: &Shot) -> Option<f64> {
-    let exact = shot.to::<DoubleDouble>();
+pub fn compensated(query: &SphereQuery) -> Option<f64> {
+    let exact = query.to::<DoubleDouble>();
     let (f, r) = (exact.from_center(), exact.radius);
     let power = dot(&f, &f) - r * r;
     let rounded = f.map(DoubleDouble::value);
-    terms(&rounded, shot.radius, &shot.line.direction).stable_root(power.value())
+    terms(&rounded, query.radius, &query.line.direction).stable_root(power.value())
 }

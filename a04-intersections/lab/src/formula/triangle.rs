@@ -5,7 +5,7 @@ use crate::number::{Number, Triple, cross, difference, dot};
 
 /// Where a line meets the plane of a triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct Meeting<N> {
+pub struct PlaneHit<N> {
     /// The parameter of the line.
     pub t: N,
     /// The weight of the second corner, b.
@@ -16,20 +16,20 @@ pub struct Meeting<N> {
 
 /// The formula of Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
 /// Intersection", 1997.
-pub fn moeller_trumbore<N: Number>([a, b, c]: &[Triple<N>; 3], line: &Line<N>) -> Meeting<N> {
+pub fn moeller_trumbore<N: Number>([a, b, c]: &[Triple<N>; 3], line: &Line<N>) -> PlaneHit<N> {
     let (ab, ac) = (difference(b, a), difference(c, a));
     let from_a = difference(&line.origin, a);
     let across = cross(&line.direction, &ac);
     let moment = cross(&from_a, &ab);
     let determinant = dot(&ab, &across);
-    Meeting {
+    PlaneHit {
         t: dot(&ac, &moment) / determinant,
         beta: dot(&from_a, &across) / determinant,
         gamma: dot(&line.direction, &moment) / determinant,
     }
 }
 
-impl Meeting<f64> {
+impl PlaneHit<f64> {
     /// The `t` of a hit ahead, for weights that are not negative. It compares the rounded weights,
     /// as the exercise does, so that two triangles at an edge may both lose a ray. Those of a line
     /// along the plane are infinite or no numbers, and no hit.

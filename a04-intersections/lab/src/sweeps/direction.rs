@@ -4,8 +4,8 @@ use a02_lab::sweep::{Point, Sweep};
 use measure::extremes::Both;
 
 use super::{UNIT, exercise, hit_of_unit};
+use crate::compared_shape::SPHERE;
 use crate::line::line;
-use crate::subject::SPHERE;
 
 /// The hit of a ray in this direction down to the unit sphere, as a distance: the protocol's `t` counts lengths
 /// of the direction.

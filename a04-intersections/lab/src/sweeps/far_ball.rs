@@ -3,8 +3,8 @@
 use a02_lab::sweep::Sweep;
 
 use super::{UNIT, both, exercise, hit_of_unit};
+use crate::compared_shape::SPHERE;
 use crate::line::line;
-use crate::subject::SPHERE;
 
 /// The distance of a ball.
 pub const FAR_BALL: Sweep = Sweep {

@@ -5,10 +5,10 @@ use a02_lab::sweep::{Point, Sweep};
 use measure::extremes::Both;
 
 use super::{ahead, both, exercise};
+use crate::compared_shape::TRIANGLE;
 use crate::formula::triangle::moeller_trumbore;
 use crate::line::{Line, line};
 use crate::number::{Triple, difference, dot};
-use crate::subject::TRIANGLE;
 
 const A: Triple = [0.1, 0.2, 0.3];
 
@@ -53,7 +53,7 @@ pub const NEEDLE: Sweep = Sweep {
         let (needle, line) = (needle(1.0, aspect), towards(place(0.5, 0.33, aspect)));
         let numbers = [&needle[..], &line.origin, &line.direction].concat();
         let ray = line.any_ray();
-        let point = Point::of(&numbers, meeting, both(&TRIANGLE, &needle, &ray));
+        let point = Point::of(&numbers, exact_t, both(&TRIANGLE, &needle, &ray));
         // The formulas get a direction of length 1, so that their `t` is the distance.
         let length = dot(
             &line.direction.map(DoubleDouble::from),
@@ -85,7 +85,7 @@ pub const NEEDLE: Sweep = Sweep {
 };
 
 /// The `t` of three corners, and of a line's origin and direction.
-fn meeting(x: &[DoubleDouble]) -> DoubleDouble {
+fn exact_t(x: &[DoubleDouble]) -> DoubleDouble {
     let triple = |at: usize| -> Triple<DoubleDouble> { [x[at], x[at + 1], x[at + 2]] };
     let line = Line {
         origin: triple(9),

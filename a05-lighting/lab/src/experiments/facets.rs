@@ -39,12 +39,12 @@ pub fn experiment() -> Experiment<'static> {
 const SEED: u64 = 19;
 
 fn curves() -> Vec<Curve<'static>> {
-    let curve = |name, look, normals, slope| Curve {
+    let curve = |name, measure, normals, slope| Curve {
         slope: Some(Slope {
             value: slope,
             between: 0.0..=f64::INFINITY,
         }),
-        ..Curve::new(name, points(look, normals).unwrap_or_default())
+        ..Curve::new(name, points(measure, normals).unwrap_or_default())
     };
     vec![
         curve("outline", OUTLINE, Normals::Interpolated, -1.0),
@@ -67,30 +67,30 @@ enum Normals {
     Interpolated,
 }
 
-/// A look at a ball of triangles.
+/// An error of a ball of triangles.
 #[derive(Clone, Copy)]
-struct Look {
-    /// The error that the `n`-th look finds.
+struct Measure {
+    /// The error of the `n`-th sample.
     error: fn(&World<()>, n: usize) -> Result<f64, Error>,
     /// The number of its rays.
     rays: usize,
 }
 
 /// See [`of_outline`].
-const OUTLINE: Look = Look {
+const OUTLINE: Measure = Measure {
     error: of_outline,
     rays: BISECTIONS,
 };
 
 /// See [`of_brightness`].
-const BRIGHTNESS: Look = Look {
+const BRIGHTNESS: Measure = Measure {
     error: of_brightness,
     rays: 1,
 };
 
 /// Each number of triangles with its errors. A ray is tested against each triangle.
-fn points(look: Look, normals: Normals) -> Result<Vec<Point<'static>>, Error> {
-    let Look { error, rays } = look;
+fn points(measure: Measure, normals: Normals) -> Result<Vec<Point<'static>>, Error> {
+    let Measure { error, rays } = measure;
     let count = 1024 / rays;
     let mut points = Vec::new();
     // 20 triangles are too few for h to be small.

@@ -9,7 +9,7 @@ use a04_lab::support::Numbers;
 use common::Error;
 use measure::experiment::{Axis, Curve, ErrorBound, Experiment, TaskSet, Unit};
 
-use crate::lit_points::{AIM, Aim, Look, SEED, Trial, looks, trials};
+use crate::lit_points::{AIM, Aim, EyeRay, LitPoint, SEED, eye_rays, from_eye_rays};
 use crate::policy::{Policy, above_a_thousandth, above_zero, offset, relative_to_t};
 use crate::surface::{SHAPES, Shape, cuboid, plane, sphere, triangle};
 
@@ -21,7 +21,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
             question: "Which rays keep a surface out of its own shadow?",
             error: "fraction of shadow rays that hit their own surface",
             exact: "where light arrives; beds 1 to 8: scenes of 1e-6 to 1e9 units; 9: large shapes; 10: needles; 11: seen from afar",
-            wrong: |trial, policy| f64::from(trial.shades_itself(policy)),
+            wrong: |lit, policy| f64::from(lit.shades_itself(policy)),
             promised: 1.0..=11.0,
         },
         WrongDecisions {
@@ -30,8 +30,8 @@ pub fn experiments() -> Vec<Experiment<'static>> {
             question: "Which rays find an object near the surface?",
             error: "fraction of shadow rays that miss an object",
             exact: "1e-4 or 1e-9 sizes away, in the beds of acne",
-            wrong: |trial, policy| {
-                let leaks = NEAR.map(|near| f64::from(trial.leaks(policy, near)));
+            wrong: |lit, policy| {
+                let leaks = NEAR.map(|near| f64::from(lit.leaks(policy, near)));
                 leaks.iter().sum::<f64>() / NEAR.len() as f64
             },
             // Of large shapes, of needles and from afar the offset is longer than the nearer distance.
@@ -52,7 +52,7 @@ struct WrongDecisions {
     error: &'static str,
     exact: &'static str,
     /// The fraction of wrong decisions for a point and a policy.
-    wrong: fn(&Trial, Policy) -> f64,
+    wrong: fn(&LitPoint, Policy) -> f64,
     /// The beds at which our rays are never wrong.
     promised: RangeInclusive<f64>,
 }
@@ -108,8 +108,8 @@ impl WrongDecisions {
         let (beds, wrong) = (beds(), self.wrong);
         let mut curves = Vec::new();
         for Method { name, policy } in METHODS {
-            let shades_itself = move |trial: &Trial| trial.shades_itself(policy);
-            let wrong = move |trial: &Trial, _| wrong(trial, policy);
+            let shades_itself = move |lit: &LitPoint| lit.shades_itself(policy);
+            let wrong = move |lit: &LitPoint, _| wrong(lit, policy);
             curves.push(Curve::of_decisions(name, &beds, shades_itself, wrong));
         }
         if let Some(ours) = curves.last_mut() {
@@ -134,7 +134,7 @@ const HARD: f64 = 1e6;
 /// The test beds by their numbers. Beds 1 to 8 are scenes of the [`SIZES`]; in bed 9 shapes are a million
 /// times as large as the view, in bed 10 triangles are needles, and in bed 11 the eye is a million sizes
 /// away.
-fn beds() -> Vec<TaskSet<Trial>> {
+fn beds() -> Vec<TaskSet<LitPoint>> {
     let mut beds = Vec::new();
     for size in SIZES {
         beds.push(points(&SHAPES, size, size, AIM));
@@ -146,7 +146,7 @@ fn beds() -> Vec<TaskSet<Trial>> {
         within: 7.0,
     };
     beds.push(points(&LARGE, HARD, 1.0, above));
-    let needles = trials(COUNT, SEED, 1.0, |numbers| needle(numbers, HARD));
+    let needles = from_eye_rays(COUNT, SEED, 1.0, |numbers| needle(numbers, HARD));
     beds.push(needles.unwrap_or_default().into());
     let afar = Aim {
         distance: HARD,
@@ -161,8 +161,8 @@ fn beds() -> Vec<TaskSet<Trial>> {
     numbered.collect()
 }
 
-/// A look at a point of a needle, which leans or lies along an axis.
-fn needle(numbers: &mut Numbers, aspect: f64) -> Result<Look, Error> {
+/// A ray from the eye to a point of a needle, which leans or lies along an axis.
+fn needle(numbers: &mut Numbers, aspect: f64) -> Result<EyeRay, Error> {
     let (mut along, mut across) = (numbers.direction(), numbers.direction());
     if numbers.below(2) == 0 {
         along = Vector3::new(1.0, 0.0, 0.0);
@@ -173,7 +173,7 @@ fn needle(numbers: &mut Numbers, aspect: f64) -> Result<Look, Error> {
     let (beta, gamma) = (numbers.between(0.0, 0.5), numbers.between(0.0, 0.5));
     let target = a + along * beta + tip * gamma;
     let eye = target + numbers.direction() * 3.0;
-    Ok(Look {
+    Ok(EyeRay {
         surface: triangle([a, a + along, a + tip])?,
         eye,
         target,
@@ -181,11 +181,11 @@ fn needle(numbers: &mut Numbers, aspect: f64) -> Result<Look, Error> {
 }
 
 /// Lit points of some shapes of a size in a scene of a size; none where a shape fails.
-fn points(shapes: &[Shape], size: f64, scene: f64, aim: Aim) -> Rc<[Trial]> {
+fn points(shapes: &[Shape], size: f64, scene: f64, aim: Aim) -> Rc<[LitPoint]> {
     let mut points = Vec::new();
     for shape in shapes {
-        let of_shape =
-            looks(*shape, size, scene, aim).and_then(|look| trials(COUNT, SEED, scene, look));
+        let of_shape = eye_rays(*shape, size, scene, aim)
+            .and_then(|eye_ray| from_eye_rays(COUNT, SEED, scene, eye_ray));
         match of_shape {
             Ok(of_shape) => points.extend(of_shape),
             Err(_) => return Rc::new([]),

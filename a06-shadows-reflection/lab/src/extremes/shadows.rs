@@ -26,7 +26,7 @@ const DOWN: Vector3 = Vector3::new(0.0, -1.0, 0.0);
 /// Position of the lights that a ball may hide.
 const LAMP: Point3 = Point3::new(0.0, 4.0, 0.0);
 /// A ray to the origin, past the objects above it.
-const LOOK: Ray = Ray::derived(Point3::new(-3.0, 4.0, 0.0), Vector3::new(0.6, -0.8, 0.0));
+const EYE_RAY: Ray = Ray::derived(Point3::new(-3.0, 4.0, 0.0), Vector3::new(0.6, -0.8, 0.0));
 
 /// A white floor, ambient light of 1/4, and one more light, which casts shadows.
 fn world(light: Result<impl Light, ArgumentError>) -> Result<ShadowedWorld, Error> {
@@ -67,7 +67,7 @@ fn shadow_rays(light: Point3) -> Outcome {
     tried(|| {
         let world = lit_from(light)?;
         let world = recorded::world(world, SHAPES, |surface| surface, |(_, light)| light);
-        let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&LOOK, 1))?;
+        let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&EYE_RAY, 1))?;
         Ok(counts[StepKind::Test] as f64 - 1.0)
     })
 }
@@ -105,7 +105,7 @@ pub fn under_a_ball_in_a_row(row: &Row, question: &Question) -> Case {
     let ball = || Sphere::new(point(center), radius);
     let ours = tried(|| {
         let world = lit?.with(ball()?, Box::new(Lambert::new(Color::WHITE)?));
-        Ok(RecursiveTracer::new(&world).trace(&LOOK, 1).r > 0.25)
+        Ok(RecursiveTracer::new(&world).trace(&EYE_RAY, 1).r > 0.25)
     });
     let theirs = tried(|| {
         let floor = World::new(Color::BLACK)?.with(Plane::new(Point3::ORIGIN, UP)?, ());

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_4;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere};
-use a04_lab::formula::sphere::Shot;
+use a04_lab::formula::sphere::SphereQuery;
 use a04_lab::line::Line;
 use a04_lab::protocol::{self, Compared};
 use a07_transforms::{Node, Transform};
@@ -62,7 +62,7 @@ pub fn far_sphere() -> Scene {
         "radius 1 from 37 million away: b² - 4ac, and the distance of the ray",
         |_| {
             far_away(|ray| {
-                let t = protocol::sphere(&Shot {
+                let t = protocol::sphere(&SphereQuery {
                     center: [0.0; 3],
                     radius: 1.0,
                     line: Line::of(ray),

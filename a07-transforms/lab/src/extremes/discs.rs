@@ -4,8 +4,8 @@ use a02_math::arrays::{point, vector};
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval};
+use a04_lab::compared_shape::{ComparedShape, triple, unit_normal};
 use a04_lab::rows;
-use a04_lab::subject::{Subject, triple, unit_normal};
 use a04_lab::support::{Numbers, first};
 use a06_shadows_reflection::secondary_ray;
 use common::Error;
@@ -17,7 +17,7 @@ use crate::protocol;
 use a07_transforms::Disc;
 
 /// Its centre, its normal and its radius.
-const DISC: Subject = Subject {
+const DISC: ComparedShape = ComparedShape {
     make: |x| {
         let normal = vector(triple(&x[3..])).as_normal();
         Some(Box::new(Disc::new(point(triple(x)), normal, x[6]).ok()?))

@@ -1,7 +1,7 @@
 //! The formulas that stage 4 measures are those of the renderer, and the exact ones are exact.
 
 use a04_lab::exact::{self, DoubleDouble as Number, triangle};
-use a04_lab::experiments::far_sphere::{ours, shots};
+use a04_lab::experiments::far_sphere::{ours, queries};
 use a04_lab::experiments::needle::needles;
 use a04_lab::formula::sphere::{self, stable};
 use a04_lab::formula::triangle::{fused, rounded, watertight};
@@ -11,9 +11,9 @@ use a04_lab::support::first;
 #[test]
 fn the_stable_formula_is_that_of_the_renderer() {
     let mut hits = 0;
-    for shot in shots(64.0, 1000).iter() {
-        assert_eq!(stable(shot), ours(shot), "{shot:?}");
-        hits += usize::from(ours(shot).is_some());
+    for query in queries(64.0, 1000).iter() {
+        assert_eq!(stable(query), ours(query), "{query:?}");
+        hits += usize::from(ours(query).is_some());
     }
     assert!((600..800).contains(&hits), "{hits}");
 }
@@ -92,15 +92,15 @@ fn assert_exact(computed: Number, high: f64, low: f64) {
 
 #[test]
 fn a_distant_sphere_is_met_where_mpmath_says() {
-    let meeting = exact::sphere(&sphere::Shot {
+    let hit = exact::sphere(&sphere::SphereQuery {
         center: [0.1, 0.2, 0.3],
         radius: 0.7,
         line: line([123_456_789.0, 0.3, 0.2], [-1.0, 1e-9, 2e-9]),
     });
-    let [near, far] = meeting.roots.unwrap();
+    let [near, far] = hit.roots.unwrap();
     assert_exact(near, 123_456_788.253_097_03, -6.990_579_491_979_64e-9);
     assert_exact(far, 123_456_789.546_902_98, -5.964_917_363_200_716e-9);
-    assert!((meeting.distance - 0.267_425_757_636_574_4).abs() < 1e-16);
+    assert!((hit.distance - 0.267_425_757_636_574_4).abs() < 1e-16);
 }
 
 #[test]
@@ -116,11 +116,11 @@ fn needles_are_met_where_mpmath_says() {
         0.700_891_859_706_358_9,
     ];
     let corners = [[0.1, 0.2, 0.3], b, c];
-    let meeting = triangle(&corners, &line([1.5, 2.5, -3.5], [-1.1, -1.65, 4.4]));
+    let hit = triangle(&corners, &line([1.5, 2.5, -3.5], [-1.1, -1.65, 4.4]));
     // An aspect ratio of 1e8 costs eight of the digits.
-    let error = meeting.t.error_of(1.056_511_056_519_799_3);
+    let error = hit.t.error_of(1.056_511_056_519_799_3);
     let off = (error - 8.385_229_290_032_157e-17).abs();
     assert!(off < 1e-22, "{error:e}");
-    assert!((meeting.beta.value() - 2_136_675.135_227_814).abs() < 1e-8);
-    assert!((meeting.gamma.value() + 4_273_348.187_262_596).abs() < 1e-8);
+    assert!((hit.beta.value() - 2_136_675.135_227_814).abs() < 1e-8);
+    assert!((hit.gamma.value() + 4_273_348.187_262_596).abs() < 1e-8);
 }

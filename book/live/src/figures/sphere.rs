@@ -3,7 +3,7 @@
 use a03_rays_cameras::Ray;
 use a04_intersections::Sphere;
 use a04_lab::exact;
-use a04_lab::formula::sphere::{Shot, terms};
+use a04_lab::formula::sphere::{SphereQuery, terms};
 use a04_lab::line::Line;
 use a04_lab::protocol::{self, Quadratic};
 
@@ -21,25 +21,25 @@ pub fn answer([x, y, angle, power, cx, cy]: [f64; 6]) -> Answered {
     let centre = point(cx, cy);
     let ours = both_hits(&Sphere::new(centre, 1.0)?, &ray);
 
-    let shot = Shot {
+    let query = SphereQuery {
         center: centre.into(),
         radius: 1.0,
         line: Line::of(&ray),
     };
-    let Quadratic { a, b, discriminant } = protocol::sphere_equation(&shot);
+    let Quadratic { a, b, discriminant } = protocol::sphere_equation(&query);
     let root = discriminant.sqrt();
     let theirs = match discriminant {
         0.0.. => vec![(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)],
         _ => Vec::new(),
     };
-    let our_terms = terms(&shot.from_center(), shot.radius, &shot.line.direction);
+    let our_terms = terms(&query.from_center(), query.radius, &query.line.direction);
 
-    let meeting = exact::sphere(&shot);
-    let roots = meeting
+    let hits = exact::sphere(&query);
+    let roots = hits
         .roots
         .map(|roots| roots.map(exact::DoubleDouble::value));
     let exact = roots.map_or(Vec::new(), Vec::from);
-    let beside = meeting.distance;
+    let beside = hits.distance;
     let exact_discriminant = 4.0 * a * (1.0 - beside) * (1.0 + beside);
 
     let error = |found: &[f64]| match (found.first(), exact.first()) {

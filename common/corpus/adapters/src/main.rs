@@ -6,8 +6,8 @@ use std::fmt::Write;
 use std::path::Path;
 use std::{fs, io};
 
-use a04_lab::formula::sphere::Shot;
-use a04_lab::formula::triangle::{self, Meeting, fused, watertight};
+use a04_lab::formula::sphere::SphereQuery;
+use a04_lab::formula::triangle::{self, PlaneHit, fused, watertight};
 use a04_lab::line::{Line, line};
 use a04_lab::protocol::{self, Compared};
 use a04_lab::support::{point, vector};
@@ -100,7 +100,7 @@ fn by_the_protocol(question: &Question) -> Option<Found> {
     let unit = |normal| vector(normal).as_normal().normalized();
     let found = match &question.shape {
         Shape::Plane { point: a, normal } => protocol::plane(point(*a), unit(*normal)?, &ray),
-        Shape::Sphere { center, radius } => protocol::sphere(&Shot {
+        Shape::Sphere { center, radius } => protocol::sphere(&SphereQuery {
             center: *center,
             radius: *radius,
             line: line_of(question),
@@ -224,7 +224,7 @@ fn of_triangles(
 }
 
 /// The `t` within a triangle. The numbers of a ray along the plane are infinite or no numbers.
-fn met(Meeting { t, beta, gamma }: Meeting<f64>) -> Found {
+fn met(PlaneHit { t, beta, gamma }: PlaneHit<f64>) -> Found {
     let is_inside = beta >= 0.0 && gamma >= 0.0 && beta + gamma <= 1.0;
     (is_inside && !t.is_nan()).then_some(t)
 }

@@ -1,18 +1,18 @@
-//! `Subject`: a shape that some numbers describe, with the lesson's formula and the protocol's.
+//! `ComparedShape`: a shape that some numbers describe, with the lesson's formula and the protocol's.
 
 use a02_math::Normal3;
 use a02_math::arrays::{point, vector};
 use a03_rays_cameras::Ray;
 use measure::extremes::{Case, Refused};
 
-use crate::formula::sphere::Shot;
+use crate::formula::sphere::SphereQuery;
 use crate::line::Line;
 use crate::protocol::{self, Compared};
 use crate::support::{Triple, first};
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
 
 /// A shape that some numbers describe.
-pub struct Subject {
+pub struct ComparedShape {
     /// The shape of these numbers, unless its constructor refuses them.
     pub make: fn(&[f64]) -> Option<Box<dyn Geometry>>,
     /// The `t` of the nearest hit by the protocol's formula.
@@ -20,10 +20,10 @@ pub struct Subject {
 }
 
 /// Its centre and its radius.
-pub const SPHERE: Subject = Subject {
+pub const SPHERE: ComparedShape = ComparedShape {
     make: |x| Some(Box::new(Sphere::new(point(triple(x)), x[3]).ok()?)),
     protocol: |x, ray| {
-        protocol::sphere(&Shot {
+        protocol::sphere(&SphereQuery {
             center: triple(x),
             radius: x[3],
             line: Line::of(ray),
@@ -32,7 +32,7 @@ pub const SPHERE: Subject = Subject {
 };
 
 /// One of its points, and its normal.
-pub const PLANE: Subject = Subject {
+pub const PLANE: ComparedShape = ComparedShape {
     make: |x| {
         let normal = vector(triple(&x[3..])).as_normal();
         Some(Box::new(Plane::new(point(triple(x)), normal).ok()?))
@@ -41,7 +41,7 @@ pub const PLANE: Subject = Subject {
 };
 
 /// Two opposite corners.
-pub const BOX: Subject = Subject {
+pub const BOX: ComparedShape = ComparedShape {
     make: |x| {
         let [a, b] = [triple(x), triple(&x[3..])].map(point);
         Some(Box::new(AxisAlignedBox::new(a, b).ok()?))
@@ -53,7 +53,7 @@ pub const BOX: Subject = Subject {
 };
 
 /// Its corners.
-pub const TRIANGLE: Subject = Subject {
+pub const TRIANGLE: ComparedShape = ComparedShape {
     make: |x| {
         let [a, b, c] = corners(x).map(point);
         Some(Box::new(Triangle::new(a, b, c).ok()?))
@@ -76,7 +76,7 @@ pub fn unit_normal(x: &[f64]) -> Normal3 {
     n.normalized().unwrap_or(n).as_normal()
 }
 
-impl Subject {
+impl ComparedShape {
     /// The nearest hit of a ray by the lesson's formula and the protocol's. The row lacks its words.
     pub fn met(&self, numbers: &[f64], line: Line) -> Case {
         let theirs = (self.protocol)(numbers, &line.any_ray());
