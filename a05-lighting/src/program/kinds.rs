@@ -53,8 +53,8 @@ impl LightKind for PointLight {
         ]
     }
 
-    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
-        Some(engine::LightKind::Point {
+    fn for_engine(&self) -> Option<engine::Emitter<'static>> {
+        Some(engine::Emitter::Point {
             color: self.color,
             position: self.position.to_glam(),
         })
@@ -85,8 +85,8 @@ impl LightKind for SpotLight {
         Some((-light.direction).dot(self.direction) - self.cos_half_angle)
     }
 
-    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
-        Some(engine::LightKind::Spot {
+    fn for_engine(&self) -> Option<engine::Emitter<'static>> {
+        Some(engine::Emitter::Spot {
             color: self.source.color,
             position: self.source.position.to_glam(),
             direction: self.direction.to_glam(),
@@ -108,8 +108,8 @@ impl LightKind for DirectionalLight {
         ]
     }
 
-    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
-        Some(engine::LightKind::Directional {
+    fn for_engine(&self) -> Option<engine::Emitter<'static>> {
+        Some(engine::Emitter::Directional {
             color: self.color,
             direction: self.direction.to_glam(),
         })

@@ -30,7 +30,7 @@ pub use ray::{Hit, Ray};
 pub use renderer::Renderer;
 pub use sampler::Sampler;
 pub use scene::Scene;
-pub use shade::{Illumination, Light, LightFn, LightKind, Phong, ShadeFn, Shading, Surface};
+pub use shade::{Emitter, Illumination, Light, LightFn, Phong, ShadeFn, Shading, Surface};
 pub use shape::{
     AnyHitFn, AxisAlignedBox, Disc, HitFn, Instance, Plane, Shape, Sphere, Transform, Triangle,
 };

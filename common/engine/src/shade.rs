@@ -7,7 +7,7 @@ mod radiance_bound;
 mod surface;
 
 pub(crate) use light::IlluminationPacket;
-pub use light::{Illumination, Light, LightFn, LightKind};
+pub use light::{Emitter, Illumination, Light, LightFn};
 pub use phong::Phong;
 pub(crate) use phong::PhongPacket;
 pub(crate) use radiance_bound::{RadianceBound, max_radiance};

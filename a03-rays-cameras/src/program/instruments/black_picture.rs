@@ -7,7 +7,7 @@ use a02_math::arrays::array;
 use a02_math::{Point3, Vector3};
 use common::pixel_trace::digits;
 use common::{Color, Progress, Renderer, Settings, Size};
-use engine::{LightKind, Phong, Scene, Shading, Surface};
+use engine::{Emitter, Phong, Scene, Shading, Surface};
 
 use crate::{Ray, View, camera_coordinates, kinds};
 
@@ -66,10 +66,10 @@ impl View {
         let mut lamps = Vec::new();
         for light in &scene.lights {
             lamps.push(match light.kind {
-                LightKind::Point { color, .. }
-                | LightKind::Spot { color, .. }
-                | LightKind::Directional { color, .. } => color,
-                LightKind::Other(_) => return None,
+                Emitter::Point { color, .. }
+                | Emitter::Spot { color, .. }
+                | Emitter::Directional { color, .. } => color,
+                Emitter::Other(_) => return None,
             });
         }
         if lamps.iter().all(|lamp| *lamp == Color::BLACK) {
@@ -141,7 +141,7 @@ impl View {
                 return None;
             }
             match light.kind {
-                LightKind::Point { position, .. } | LightKind::Spot { position, .. } => {
+                Emitter::Point { position, .. } | Emitter::Spot { position, .. } => {
                     let lamp = Point3::from_glam(position);
                     let there = lamp - eye;
                     let distance = there.magnitude();
@@ -151,10 +151,10 @@ impl View {
                         return None;
                     }
                 }
-                LightKind::Directional { direction, .. } => {
+                Emitter::Directional { direction, .. } => {
                     meets(eye, -Vector3::from_glam(direction))?;
                 }
-                LightKind::Other(_) => return None,
+                Emitter::Other(_) => return None,
             }
         }
         Some(self.world.object_name(object))
@@ -226,11 +226,11 @@ fn whiten(scene: &mut Scene, is_white: impl Fn(&Phong) -> bool) {
 /// Makes each spot light a point light.
 fn open_spots(scene: &mut Scene) {
     for light in &mut scene.lights {
-        if let LightKind::Spot {
+        if let Emitter::Spot {
             color, position, ..
         } = light.kind
         {
-            light.kind = LightKind::Point { color, position };
+            light.kind = Emitter::Point { color, position };
         }
     }
 }

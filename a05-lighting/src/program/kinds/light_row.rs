@@ -19,7 +19,7 @@ pub trait LightKind: Light {
     fn content(&self) -> Values;
 
     /// The engine's own light; if there is none, the engine asks `illumination`, point by point.
-    fn for_engine(&self) -> Option<engine::LightKind<'static>> {
+    fn for_engine(&self) -> Option<engine::Emitter<'static>> {
         None
     }
 
@@ -90,12 +90,12 @@ impl Lights {
 
     /// The engine's light: numbers if the engine has its type, otherwise a function.
     #[must_use]
-    pub fn for_engine(self, light: &dyn Light) -> engine::LightKind<'_> {
+    pub fn for_engine(self, light: &dyn Light) -> engine::Emitter<'_> {
         let known = self.0.iter().find_map(|row| (row.get)(light));
         if let Some(light) = known.and_then(LightKind::for_engine) {
             return light;
         }
-        engine::LightKind::Other(Box::new(|point| {
+        engine::Emitter::Other(Box::new(|point| {
             let light = light.illumination(Point3::from_glam(point))?;
             Some(engine::Illumination {
                 color: light.color,

@@ -1,7 +1,7 @@
 //! The shapes and lights of a scene of the engine as the values that a language has words for.
 
 use common::Color;
-use engine::{LightKind, Scene, Shape};
+use engine::{Emitter, Scene, Shape};
 use glam::DVec3;
 use scene_file::{WrittenLight, WrittenShape};
 
@@ -76,18 +76,18 @@ pub fn written_lights(scene: &Scene) -> Vec<WrittenLight> {
     lights.map(|light| light_in_words(&light.kind)).collect()
 }
 
-fn light_in_words(light: &LightKind) -> WrittenLight {
+fn light_in_words(light: &Emitter) -> WrittenLight {
     let color = |color: &Color| ("color", color.channels().into());
     let vector = |name, vector: &DVec3| (name, vector.to_array().into());
     let (key, values) = match light {
-        LightKind::Point {
+        Emitter::Point {
             color: own,
             position,
         } => (
             "point_light",
             vec![color(own), vector("position", position)],
         ),
-        LightKind::Spot {
+        Emitter::Spot {
             color: own,
             position,
             direction,
@@ -102,14 +102,14 @@ fn light_in_words(light: &LightKind) -> WrittenLight {
             ];
             ("spot_light", values)
         }
-        LightKind::Directional {
+        Emitter::Directional {
             color: own,
             direction,
         } => (
             "directional_light",
             vec![color(own), vector("direction", direction)],
         ),
-        LightKind::Other(_) => ("light by formula", Vec::new()),
+        Emitter::Other(_) => ("light by formula", Vec::new()),
     };
     WrittenLight {
         key: Some(key),

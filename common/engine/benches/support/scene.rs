@@ -6,7 +6,7 @@
 use std::sync::LazyLock;
 
 use common::{Color, Settings};
-use engine::{Camera, Light, LightKind, Phong, Plane, Renderer, Shading, Shape, Surface};
+use engine::{Camera, Emitter, Light, Phong, Plane, Renderer, Shading, Shape, Surface};
 use glam::DVec3;
 
 use super::objects::{Object, has_room, objects};
@@ -80,7 +80,7 @@ impl Scene {
         let mut kept_free = vec![self.eye];
         for light in self.lights.split("; ") {
             let kind = kind(light);
-            if let LightKind::Point { position, .. } = kind {
+            if let Emitter::Point { position, .. } = kind {
                 kept_free.push(position);
             }
             world.add_light(Light {
@@ -113,14 +113,14 @@ impl Scene {
 }
 
 /// A light: its kind, colour, place and direction.
-fn kind(light: &str) -> LightKind<'static> {
+fn kind(light: &str) -> Emitter<'static> {
     let vectors = vectors(light);
     let [r, g, b] = vectors[0].to_array();
     let (color, position) = (Color::new(r, g, b), vectors[1]);
     match vectors.get(2).map(|direction| direction.normalize()) {
-        None => LightKind::Point { color, position },
-        Some(direction) if light.starts_with("far") => LightKind::Directional { color, direction },
-        Some(direction) => LightKind::Spot {
+        None => Emitter::Point { color, position },
+        Some(direction) if light.starts_with("far") => Emitter::Directional { color, direction },
+        Some(direction) => Emitter::Spot {
             color,
             position,
             direction,

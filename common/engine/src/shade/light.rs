@@ -9,8 +9,8 @@ use crate::vector::normalized;
 
 /// A source of light.
 pub struct Light<'a> {
-    /// Its kind and numbers.
-    pub kind: LightKind<'a>,
+    /// How it shines.
+    pub kind: Emitter<'a>,
     /// Whether objects cast shadows in it.
     pub casts_shadows: bool,
 }
@@ -18,8 +18,8 @@ pub struct Light<'a> {
 /// The light of a source at a point, without shadows; none outside of its beam.
 pub type LightFn<'a> = Box<dyn Fn(DVec3) -> Option<Illumination> + Send + Sync + 'a>;
 
-/// The kinds of lights.
-pub enum LightKind<'a> {
+/// How a light shines.
+pub enum Emitter<'a> {
     /// Shines from one point in all directions.
     Point {
         /// Its colour.
@@ -80,10 +80,10 @@ impl Light<'_> {
     #[must_use]
     pub fn max_radiance(&self) -> Color {
         match self.kind {
-            LightKind::Point { color, .. }
-            | LightKind::Spot { color, .. }
-            | LightKind::Directional { color, .. } => color,
-            LightKind::Other(_) => Color::gray(f64::INFINITY),
+            Emitter::Point { color, .. }
+            | Emitter::Spot { color, .. }
+            | Emitter::Directional { color, .. } => color,
+            Emitter::Other(_) => Color::gray(f64::INFINITY),
         }
     }
 
@@ -96,8 +96,8 @@ impl Light<'_> {
     ) -> IlluminationPacket<S> {
         let simd = points.x.simd;
         match self.kind {
-            LightKind::Point { color, position } => from_point(color, position, points, active),
-            LightKind::Spot {
+            Emitter::Point { color, position } => from_point(color, position, points, active),
+            Emitter::Spot {
                 color,
                 position,
                 direction,
@@ -110,13 +110,13 @@ impl Light<'_> {
                 light.lit &= bits_of(cosine.simd_ge(cos_half_angle));
                 light
             }
-            LightKind::Directional { color, direction } => IlluminationPacket {
+            Emitter::Directional { color, direction } => IlluminationPacket {
                 lit: active,
                 color: ColorPacket::splat(simd, color),
                 direction: Vector3x4::splat(simd, -direction),
                 distance: splat(simd, f64::INFINITY),
             },
-            LightKind::Other(ref illumination) => one_by_one(illumination, points, active),
+            Emitter::Other(ref illumination) => one_by_one(illumination, points, active),
         }
     }
 }

@@ -74,7 +74,7 @@ fn largest(a: Color, b: Color) -> Color {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{LightKind, Phong, Shading, Surface};
+    use crate::{Emitter, Phong, Shading, Surface};
 
     /// A perfect mirror that scatters `0.5 (0.25 + 1) + 0.125` itself, before this background.
     fn mirror(background: f64, depth: u32) -> f64 {
@@ -88,7 +88,7 @@ mod tests {
             reflection: Color::WHITE,
         });
         scene.add_light(Light {
-            kind: LightKind::Directional {
+            kind: Emitter::Directional {
                 color: Color::WHITE,
                 direction: glam::DVec3::NEG_Z,
             },
