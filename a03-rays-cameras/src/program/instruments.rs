@@ -9,9 +9,9 @@ use common::{Omissions, Renderer, Settings, steps};
 mod black_picture;
 mod drawing;
 mod footprint;
+pub mod instrumented;
 pub mod orbit_camera;
 pub mod pixel_trace;
-pub mod recorded;
 #[cfg(not(target_family = "wasm"))]
 mod seen_rays;
 

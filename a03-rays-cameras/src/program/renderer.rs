@@ -26,7 +26,7 @@ impl View {
             (max_error, known)
         });
         let Self { camera, world } = match instruments {
-            Some(instruments) => self.recorded(instruments),
+            Some(instruments) => self.instrumented(instruments),
             None => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
@@ -38,10 +38,10 @@ impl View {
     }
 
     /// The view with these instruments.
-    pub(crate) fn recorded(self, instruments: Instruments) -> Self {
+    pub(crate) fn instrumented(self, instruments: Instruments) -> Self {
         Self {
-            camera: instruments::recorded::camera(self.camera),
-            world: self.world.recorded(instruments),
+            camera: instruments::instrumented::camera(self.camera),
+            world: self.world.instrumented(instruments),
         }
     }
 }

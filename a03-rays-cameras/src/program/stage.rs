@@ -42,10 +42,10 @@ impl TracedWorld for StripedSky {
         self.color_for(ray)
     }
 
-    fn recorded(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
+    fn instrumented(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
         Box::new(move |ray: &Ray| {
             let color = self.color_for(ray);
-            instruments::recorded::push_stripe(self.stripe(ray), color);
+            instruments::instrumented::push_stripe(self.stripe(ray), color);
             color
         })
     }

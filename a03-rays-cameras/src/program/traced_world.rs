@@ -40,7 +40,7 @@ pub trait TracedWorld: Any + Send + Sync {
     }
 
     /// The same world with these instruments around its parts. The colours do not change.
-    fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld>;
+    fn instrumented(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld>;
 }
 
 /// A world given by the light along each ray, for a background or a formula of its own.
@@ -49,7 +49,7 @@ impl<F: Fn(&Ray) -> Color + Send + Sync + 'static> TracedWorld for F {
         self(ray)
     }
 
-    fn recorded(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
+    fn instrumented(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
         self
     }
 }

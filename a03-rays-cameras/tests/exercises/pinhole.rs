@@ -13,7 +13,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::scene("striped-sky", |new: &Code, settings| {
             let sky = scenes::striped_sky(settings.size, StripeRule::Direction)?.world;
-            let sky = Box::new(sky).recorded(Instruments::LESSON);
+            let sky = Box::new(sky).instrumented(Instruments::LESSON);
             let camera = new(([0.0; 3], FRAC_PI_2))?;
             paint(&*camera, &|ray: &Ray| sky.radiance(ray, 1), settings)
         }),

@@ -1,6 +1,6 @@
 //! Rays to stripes and beyond them, compared with the solution.
 
-use a03_rays_cameras::instruments::recorded::push_stripe;
+use a03_rays_cameras::instruments::instrumented::push_stripe;
 
 use crate::prelude::*;
 

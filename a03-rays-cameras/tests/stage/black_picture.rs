@@ -21,7 +21,7 @@ impl TracedWorld for Dark {
         "object 1: Sphere".to_owned()
     }
 
-    fn recorded(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
+    fn instrumented(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
         self
     }
 }

@@ -3,5 +3,5 @@
 
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
+pub mod instrumented;
 pub mod objects;
-pub mod recorded;

@@ -7,7 +7,7 @@ use common::steps::{self, StepKind};
 use common::{Color, Stage};
 use scene_file::WrittenShape;
 
-use crate::instruments::{objects, recorded};
+use crate::instruments::{instrumented, objects};
 use crate::kinds::{self, KINDS};
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 use crate::{Interval, World};
@@ -63,21 +63,21 @@ impl TracedWorld for World<Color> {
         objects::object_name(self, number)
     }
 
-    fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
+    fn instrumented(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
         if let Instruments::Silent(_) = instruments {
             return self;
         }
-        let world = recorded::world(*self, KINDS, |color| color);
+        let world = instrumented::world(*self, KINDS, |color| color);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
             if steps::is_tracing() {
                 let nearest = steps::untraced(|| world.hit(ray, Interval::AHEAD));
                 if let Some((hit, color)) = nearest {
-                    recorded::shaded(ray, &hit, || {
-                        recorded::push_color(StepKind::Color, "colour", *color);
+                    instrumented::shaded(ray, &hit, || {
+                        instrumented::push_color(StepKind::Color, "colour", *color);
                     });
                 }
-                recorded::push_background(world.background());
+                instrumented::push_background(world.background());
             }
             color
         })

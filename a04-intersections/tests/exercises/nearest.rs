@@ -1,6 +1,6 @@
 //! Spheres and a smooth triangle in all orders, compared with the solution.
 
-use a04_intersections::instruments::recorded::{push_background, shaded};
+use a04_intersections::instruments::instrumented::{push_background, shaded};
 
 use crate::prelude::*;
 

@@ -17,7 +17,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::scene("scene-6", |new: &Code, settings| {
             let world = Box::new(scene_6()?.world)
-                .recorded(a03_rays_cameras::instruments::Instruments::LESSON);
+                .instrumented(a03_rays_cameras::instruments::Instruments::LESSON);
             let camera = new((AHEAD, 3.0))?;
             paint(&*camera, &|ray: &Ray| world.radiance(ray, 1), settings)
         }),

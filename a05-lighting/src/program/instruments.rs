@@ -2,4 +2,4 @@
 
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
-pub mod recorded;
+pub mod instrumented;

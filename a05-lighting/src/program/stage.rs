@@ -3,14 +3,14 @@
 
 use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
+use a04_intersections::instruments::instrumented::push_background;
 use a04_intersections::instruments::objects;
-use a04_intersections::instruments::recorded::push_background;
 use a04_intersections::kinds::KINDS as SHAPES;
 use common::{Color, Stage};
 use scene_file::{WrittenLight, WrittenShape};
 
 use crate::LitWorld;
-use crate::instruments::recorded;
+use crate::instruments::instrumented;
 use crate::kinds;
 use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
@@ -78,14 +78,14 @@ impl TracedWorld for LitWorld {
         objects::object_name(self.objects(), number)
     }
 
-    fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
+    fn instrumented(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
         let omissions = instruments.omissions();
-        let surface = |material| recorded::material(material, kinds::KINDS, omissions);
+        let surface = |material| instrumented::material(material, kinds::KINDS, omissions);
         if let Instruments::Silent(_) = instruments {
-            let world = recorded::map_surfaces(*self, surface);
+            let world = instrumented::map_surfaces(*self, surface);
             return Box::new(move |ray: &Ray| world.color_for(ray));
         }
-        let world = recorded::world(*self, SHAPES, surface, recorded::light);
+        let world = instrumented::world(*self, SHAPES, surface, instrumented::light);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
             push_background(world.objects().background());

@@ -1,7 +1,7 @@
 //! Pictures of scenes in the colours of students' code.
 
-use a04_intersections::instruments::recorded::push_background;
-use a05_lighting::instruments::recorded::{self, push_light};
+use a04_intersections::instruments::instrumented::push_background;
+use a05_lighting::instruments::instrumented::{self, push_light};
 use a05_lighting::kinds::KINDS;
 
 use crate::prelude::*;
@@ -13,8 +13,9 @@ pub fn shaded(
     settings: &Settings,
     color: impl Fn(Color, &Ray, &Hit, &LitWorld) -> Color + Sync,
 ) -> Result<Image, Error> {
-    let view =
-        view.map(|world| recorded::map_world(world, |_, shape| shape, |own| own, recorded::light));
+    let view = view.map(|world| {
+        instrumented::map_world(world, |_, shape| shape, |own| own, instrumented::light)
+    });
     let only_ambient = ReceivedLight {
         ambient: Color::WHITE,
         lights: Vec::new(),
@@ -25,7 +26,7 @@ pub fn shaded(
         let shown = match world.objects().hit(ray, Interval::AHEAD) {
             Some((hit, material)) => {
                 let diffuse = material.color_for(ray, &hit, &only_ambient);
-                recorded::shaded(ray, &hit, KINDS, &**material, || {
+                instrumented::shaded(ray, &hit, KINDS, &**material, || {
                     color(diffuse, ray, &hit, world)
                 })
             }

@@ -9,7 +9,7 @@ use a05_lighting::kinds::LIGHTS;
 use common::{Color, Stage};
 use scene_file::{WrittenLight, WrittenShape};
 
-use crate::instruments::recorded::RecordedWorld;
+use crate::instruments::instrumented::InstrumentedWorld;
 use crate::scenes::{aab, sphere};
 use crate::{RecursiveTracer, ShadowedWorld, kinds};
 
@@ -80,8 +80,8 @@ impl TracedWorld for RecursiveWorld {
         objects::object_name(self.world.objects(), number)
     }
 
-    fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
-        let recorded = RecordedWorld::new(self.world, self.shapes, instruments);
-        Box::new(recorded)
+    fn instrumented(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
+        let instrumented = InstrumentedWorld::new(self.world, self.shapes, instruments);
+        Box::new(instrumented)
     }
 }

@@ -5,7 +5,7 @@ pub mod example_files;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a03_rays_cameras::instruments::recorded::ray_step;
+use a03_rays_cameras::instruments::instrumented::ray_step;
 use a03_rays_cameras::kinds::Format;
 use a04_intersections::Geometry;
 use a04_intersections::kinds::{

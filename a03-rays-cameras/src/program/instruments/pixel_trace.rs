@@ -4,7 +4,7 @@ use common::steps::{self, Step, StepKind, trace_chosen};
 use common::{Color, Error, Image, Omissions, PixelTrace, Renderer, Settings};
 
 use super::Instruments;
-use super::recorded::push_ray;
+use super::instrumented::push_ray;
 use crate::{Camera, Ray, Sampler, View, camera_coordinates, kinds, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-per-pixel";
@@ -39,7 +39,7 @@ impl View {
             Renderer::AllWork => Omissions::NONE,
             Renderer::Lesson | Renderer::Engine => Omissions::ALL,
         };
-        let view = self.recorded(Instruments::Report(omissions));
+        let view = self.instrumented(Instruments::Report(omissions));
         trace_samples(settings, pixel, |x, y| {
             let ray = view.camera.ray_for(settings.size, x, y);
             view.world.radiance(&ray, settings.depth)

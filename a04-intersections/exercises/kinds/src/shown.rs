@@ -23,7 +23,7 @@ pub fn scene<P: Clone + 'static>(
         let color = world.objects().map(|(_, color)| *color).next();
         let black = World::new(world.background())?;
         let world = black.with(new(parameters.clone())?, color.unwrap_or(Color::WHITE));
-        let world = Box::new(world).recorded(Instruments::LESSON);
+        let world = Box::new(world).instrumented(Instruments::LESSON);
         paint(&camera, &|ray: &Ray| world.radiance(ray, 1), settings)
     })
 }

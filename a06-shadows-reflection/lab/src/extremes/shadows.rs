@@ -7,7 +7,7 @@ use a04_intersections::{Plane, Sphere, World};
 use a04_lab::rows;
 use a04_lab::support::{Triple, point};
 use a05_lighting::{
-    DirectionalLight, Lambert, Light, PointLight, SpotLight, instruments::recorded,
+    DirectionalLight, Lambert, Light, PointLight, SpotLight, instruments::instrumented,
 };
 use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
@@ -66,7 +66,7 @@ pub fn under_a_light(height: f64) -> Case {
 fn shadow_rays(light: Point3) -> Outcome {
     tried(|| {
         let world = lit_from(light)?;
-        let world = recorded::world(world, SHAPES, |surface| surface, |(_, light)| light);
+        let world = instrumented::world(world, SHAPES, |surface| surface, |(_, light)| light);
         let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&EYE_RAY, 1))?;
         Ok(counts[StepKind::Test] as f64 - 1.0)
     })

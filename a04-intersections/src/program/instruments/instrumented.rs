@@ -17,7 +17,7 @@ const ANY_SHAPE: &str = "a04-intersections.md#one-question-and-an-interval";
 
 /// A geometry whose tests are reported.
 #[derive(Debug)]
-struct RecordedGeometry {
+struct InstrumentedGeometry {
     geometry: Box<dyn Geometry>,
     row: Option<&'static ShapeRow>,
     shapes: Shapes,
@@ -42,7 +42,7 @@ pub fn geometry(
             .collect();
     }
     let kind = row.and_then(|row| row.get(&*geometry));
-    Box::new(RecordedGeometry {
+    Box::new(InstrumentedGeometry {
         tests: kind.map_or(1, ShapeKind::tests),
         geometry,
         row,
@@ -52,7 +52,7 @@ pub fn geometry(
     })
 }
 
-impl Geometry for RecordedGeometry {
+impl Geometry for InstrumentedGeometry {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         self.test(ray, within, || self.geometry.hit(ray, within))
     }
@@ -87,7 +87,7 @@ fn any_part(
     is_true(geometry)
 }
 
-impl RecordedGeometry {
+impl InstrumentedGeometry {
     /// Reports a test and the steps in it.
     fn test<T>(&self, ray: &Ray, within: Interval, task: impl FnOnce() -> T) -> T {
         let step = |kind| steps::untraced(|| self.step(kind, ray, within));

@@ -5,14 +5,14 @@ mod material;
 use a02_math::Point3;
 use a02_math::arrays::array;
 use a04_intersections::Geometry;
-use a04_intersections::instruments::recorded as geometries;
+use a04_intersections::instruments::instrumented as geometries;
 use a04_intersections::kinds::Shapes;
 use common::steps::{self, Step, StepKind, type_name};
 
 use crate::kinds::LIGHTS;
 use crate::{Illumination, Light, LitWorld};
 
-pub use material::{RecordedMaterial, material, shaded};
+pub use material::{InstrumentedMaterial, material, shaded};
 
 /// The world with its geometries wrapped, which may be of these shapes, and its surfaces and
 /// lights replaced by these functions of them; lights are counted from 1.
@@ -48,7 +48,7 @@ pub fn map_world<S, T, L>(
 
 /// A light that is reported.
 #[derive(Debug)]
-struct RecordedLight {
+struct InstrumentedLight {
     light: Box<dyn Light>,
     number: usize,
     type_name: String,
@@ -56,14 +56,14 @@ struct RecordedLight {
 
 /// Wraps a light, counted from 1, to report what arrives from it.
 pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
-    Box::new(RecordedLight {
+    Box::new(InstrumentedLight {
         type_name: type_name(&light),
         number,
         light,
     })
 }
 
-impl Light for RecordedLight {
+impl Light for InstrumentedLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.light.illumination(point);
         let margin = LIGHTS.margin(&*self.light, point);

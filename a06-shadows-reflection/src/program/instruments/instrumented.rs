@@ -6,12 +6,12 @@
 
 use a02_math::Point3;
 use a03_rays_cameras::instruments::Instruments;
-use a03_rays_cameras::instruments::recorded::ray_step;
+use a03_rays_cameras::instruments::instrumented::ray_step;
 use a03_rays_cameras::{Ray, TracedWorld};
-use a04_intersections::instruments::recorded as geometries;
+use a04_intersections::instruments::instrumented as geometries;
 use a04_intersections::kinds::Shapes;
 use a04_intersections::{Geometry, Hit, Interval};
-use a05_lighting::instruments::recorded::{self as materials, RecordedMaterial};
+use a05_lighting::instruments::instrumented::{self as materials, InstrumentedMaterial};
 use a05_lighting::{Lighting, Material};
 use common::steps::{self, Step, StepKind};
 use common::{Color, Omissions};
@@ -21,18 +21,18 @@ use crate::kinds::KINDS;
 use crate::{LightSource, RecursiveTracer, ShadowedWorld, Surface};
 
 /// A world whose work is reported, or that does all work.
-pub struct RecordedWorld {
+pub struct InstrumentedWorld {
     world: ShadowedWorld,
     instruments: Instruments,
 }
 
-impl RecordedWorld {
+impl InstrumentedWorld {
     /// Wraps the objects of a world, which may be of these shapes, its surfaces and its lights;
     /// where nothing is reported, only its surfaces.
     #[must_use]
     pub fn new(world: ShadowedWorld, shapes: Shapes, instruments: Instruments) -> Self {
         let omissions = instruments.omissions();
-        let surface = |surface| RecordedSurface::on(surface, omissions);
+        let surface = |surface| InstrumentedSurface::on(surface, omissions);
         if let Instruments::Silent(_) = instruments {
             return Self {
                 world: materials::map_surfaces(world, surface),
@@ -40,11 +40,11 @@ impl RecordedWorld {
             };
         }
         let geometry = |number, geometry: Box<dyn Geometry>| {
-            let recorded = geometries::geometry(number, geometry, shapes);
+            let instrumented = geometries::geometry(number, geometry, shapes);
             if number == 1 {
-                Box::new(FirstObject(recorded))
+                Box::new(FirstObject(instrumented))
             } else {
-                recorded
+                instrumented
             }
         };
         let light = |(number, source): (usize, LightSource)| LightSource {
@@ -65,7 +65,7 @@ impl RecordedWorld {
     }
 }
 
-impl TracedWorld for RecordedWorld {
+impl TracedWorld for InstrumentedWorld {
     fn radiance(&self, ray: &Ray, depth: u32) -> Color {
         if self.instruments == Instruments::LESSON {
             return self.color(|world| RecursiveTracer::new(world).trace(ray, depth));
@@ -74,7 +74,7 @@ impl TracedWorld for RecordedWorld {
         self.color(|world| MeasuredTracer { world, omissions }.trace(ray, depth))
     }
 
-    fn recorded(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
+    fn instrumented(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
         self
     }
 }
@@ -145,17 +145,17 @@ fn push_offset(ray: &Ray, p: Option<Point3>) {
 
 /// A surface whose work is reported.
 #[derive(Debug)]
-pub struct RecordedSurface {
-    recorded: RecordedMaterial,
+pub struct InstrumentedSurface {
+    instrumented: InstrumentedMaterial,
     reflection: Color,
 }
 
-impl RecordedSurface {
+impl InstrumentedSurface {
     /// Wraps a surface that leaves out this work.
     fn on(surface: Box<dyn Surface>, omissions: Omissions) -> Box<dyn Surface> {
         Box::new(Self {
             reflection: surface.mirror_reflectance(),
-            recorded: RecordedMaterial {
+            instrumented: InstrumentedMaterial {
                 material: surface,
                 kinds: KINDS,
                 gets_all_light: false,
@@ -165,13 +165,13 @@ impl RecordedSurface {
     }
 }
 
-impl Material for RecordedSurface {
+impl Material for InstrumentedSurface {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        self.recorded.color_for(ray, hit, lighting)
+        self.instrumented.color_for(ray, hit, lighting)
     }
 }
 
-impl Surface for RecordedSurface {
+impl Surface for InstrumentedSurface {
     fn mirror_reflectance(&self) -> Color {
         steps::push(StepKind::Mirror, |kind| {
             let section = "a06-shadows-reflection.md#the-mirror";

@@ -6,7 +6,7 @@ use std::cell::Cell;
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use a04_intersections::instruments::recorded as geometries;
+use a04_intersections::instruments::instrumented as geometries;
 use common::steps::{self, Outcome, Step, StepKind, type_name};
 use common::{Color, Omission, Omissions};
 
@@ -21,7 +21,7 @@ pub fn material(
     kinds: Materials,
     omissions: Omissions,
 ) -> Box<dyn Material> {
-    Box::new(RecordedMaterial {
+    Box::new(InstrumentedMaterial {
         material,
         kinds,
         gets_all_light: true,
@@ -31,7 +31,7 @@ pub fn material(
 
 /// A material whose work is reported.
 #[derive(Debug)]
-pub struct RecordedMaterial {
+pub struct InstrumentedMaterial {
     /// The material.
     pub material: Box<dyn Material>,
     /// The rows of materials.
@@ -42,12 +42,12 @@ pub struct RecordedMaterial {
     pub omissions: Omissions,
 }
 
-impl Material for RecordedMaterial {
+impl Material for InstrumentedMaterial {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        let light = RecordedLighting {
+        let light = InstrumentedLighting {
             ray,
             hit,
-            recorded: self,
+            instrumented: self,
             lighting,
             is_used: Cell::new(false),
         };
@@ -106,7 +106,7 @@ fn step(kind: StepKind, part: &str, kinds: Materials, material: &dyn Material) -
     Step::new(kind, name, kinds.section(material))
 }
 
-impl RecordedMaterial {
+impl InstrumentedMaterial {
     /// Whether a Phong material takes powers for highlights that nobody sees.
     const fn takes_every_power(&self) -> bool {
         !self.omissions.contains(Omission::UnseenHighlights)
@@ -158,8 +158,8 @@ impl Lighting for OneLight {
 }
 
 /// Light on its way to a material, which may take a power for it.
-struct RecordedLighting<'a> {
-    recorded: &'a RecordedMaterial,
+struct InstrumentedLighting<'a> {
+    instrumented: &'a InstrumentedMaterial,
     /// The ray and the hit that are shaded.
     ray: &'a Ray,
     hit: &'a Hit,
@@ -168,30 +168,30 @@ struct RecordedLighting<'a> {
     is_used: Cell<bool>,
 }
 
-impl Lighting for RecordedLighting<'_> {
+impl Lighting for InstrumentedLighting<'_> {
     fn ambient(&self) -> Color {
         let ambient = self.lighting.ambient();
         steps::push(StepKind::Ambient, |kind| {
-            self.recorded.ambient(kind, self.ray, self.hit, ambient)
+            self.instrumented.ambient(kind, self.ray, self.hit, ambient)
         });
         ambient
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
         self.is_used.set(true);
-        let recorded = self.recorded;
+        let instrumented = self.instrumented;
         let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
         self.lighting.for_each_light(ray, hit, &mut |light| {
-            let phong = recorded.kinds.as_phong(&*recorded.material);
-            let takes_every_power = phong.is_some() && recorded.takes_every_power();
+            let phong = instrumented.kinds.as_phong(&*instrumented.material);
+            let takes_every_power = phong.is_some() && instrumented.takes_every_power();
             let is_seen = phong.is_some_and(|phong| is_seen(phong, ray, hit, light));
             steps::count(StepKind::Power, (takes_every_power || is_seen).into());
             let is_black = light.color == Color::BLACK;
             let is_lit = !is_black && hit.normal.dot(light.direction) > 0.0;
-            let is_lit = is_lit || recorded.gets_all_light;
+            let is_lit = is_lit || instrumented.gets_all_light;
             if is_lit {
                 steps::push(StepKind::ReflectedLight, |kind| {
-                    recorded.reflected(kind, ray, hit, light)
+                    instrumented.reflected(kind, ray, hit, light)
                 });
             }
             if is_lit || takes_every_power {

@@ -7,14 +7,14 @@ use common::{Color, Size};
 use crate::{Camera, Ray};
 
 /// A camera that reports its rays.
-struct RecordedCamera(Box<dyn Camera>);
+struct InstrumentedCamera(Box<dyn Camera>);
 
 /// Wraps this camera to report its rays.
 pub fn camera(camera: Box<dyn Camera>) -> Box<dyn Camera> {
-    Box::new(RecordedCamera(camera))
+    Box::new(InstrumentedCamera(camera))
 }
 
-impl Camera for RecordedCamera {
+impl Camera for InstrumentedCamera {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let ray = self.0.ray_for(size, x, y);
         push_ray(&ray);
