@@ -74,7 +74,7 @@ impl Comparison {
 #[must_use]
 pub fn complete(settings: &Settings) -> Settings {
     Settings {
-        renderer: Renderer::AllWork,
+        renderer: Renderer::NoOmissions,
         ..settings.clone()
     }
 }

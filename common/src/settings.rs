@@ -45,13 +45,13 @@ pub enum Renderer {
     Lesson,
     /// The fast renderer.
     Engine,
-    /// The renderer that skips no work.
-    AllWork,
+    /// The lesson without its omissions.
+    NoOmissions,
 }
 
 impl Renderer {
     /// All renderers, the lesson first.
-    pub const ALL: [Self; 3] = [Self::Lesson, Self::Engine, Self::AllWork];
+    pub const ALL: [Self; 3] = [Self::Lesson, Self::Engine, Self::NoOmissions];
 }
 
 /// The way of the camera that a person moves in the window; none by default.

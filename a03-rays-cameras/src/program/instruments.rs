@@ -31,7 +31,7 @@ impl Instruments {
     /// For a picture with these settings; none for the renderer as it is.
     pub(crate) fn of_settings(settings: &Settings) -> Option<Self> {
         let omissions = match settings.renderer {
-            Renderer::AllWork => Some(Omissions::NONE),
+            Renderer::NoOmissions => Some(Omissions::NONE),
             _ => settings.omissions,
         };
         if steps::is_counting() {

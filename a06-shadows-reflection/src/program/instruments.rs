@@ -2,4 +2,4 @@
 //! the lesson. No lesson uses them.
 
 pub mod instrumented;
-mod measured;
+mod omitting_tracer;

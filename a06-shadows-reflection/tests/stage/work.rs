@@ -76,7 +76,7 @@ impl Camera for Downwards {
 /// The work for [`RAYS`] rays in the lesson, and all work. The colours are the
 /// same, the work is not.
 fn work(world: fn() -> ShadowedWorld, depth: u32) -> [Counts; 2] {
-    let work = [Renderer::Lesson, Renderer::AllWork].map(|renderer| {
+    let work = [Renderer::Lesson, Renderer::NoOmissions].map(|renderer| {
         let settings = Settings {
             size: Size::new(RAYS, 1).unwrap(),
             depth,

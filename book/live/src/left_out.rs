@@ -1,7 +1,7 @@
 //! The work that renderers leave out in a picture: how much of it there is, and pictures that do it to be timed.
 
 use common::comparison::{Comparison, WORK, small};
-use common::left_out::{Words, count, is_left_out};
+use common::omitted_work::{Words, count, is_omitted};
 use common::steps::Counts;
 use common::{Error, Median, Omission, Omissions, Renderer, Scene, Settings};
 use page::pixels;
@@ -47,7 +47,7 @@ pub fn work(picture: &str, numbers: &[f64]) -> Answered {
     let mut lines = vec![WORK.map(|work| work.name).join("\t")];
     let (mut bits, mut alone) = (Vec::new(), Vec::new());
     for (bit, omission) in Omission::ALL.into_iter().enumerate() {
-        if is_left_out(omission, &settings) {
+        if is_omitted(omission, &settings) {
             let Words { work, because } = Words::of(omission);
             lines.push(format!("{work}\t{because}"));
             let (_, counts) = count(&scene, &settings, Omissions::ALL.without(omission))?;

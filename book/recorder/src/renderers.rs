@@ -35,7 +35,7 @@ fn curves(scene: &Scene) -> Result<Vec<Curve<'_>>, Error> {
     for (name, renderer) in [
         ("lesson", Renderer::Lesson),
         ("engine", Renderer::Engine),
-        ("all work", Renderer::AllWork),
+        ("all work", Renderer::NoOmissions),
     ] {
         let own = rendered(scene, renderer)?;
         let differences = difference::of_channels(&own, &picture);

@@ -19,7 +19,7 @@ pub fn check(bytes: &[u8]) {
     };
     let lesson = scene.channels(Renderer::Lesson, None);
     scene.check(lesson.iter().all(|c| c.is_finite() && *c >= 0.0), &lesson);
-    for renderer in [Renderer::Engine, Renderer::AllWork] {
+    for renderer in [Renderer::Engine, Renderer::NoOmissions] {
         let other = scene.channels(renderer, None);
         scene.check(are_same_bits(&lesson, &other), &other);
     }

@@ -145,7 +145,7 @@ impl Options {
             depth: self.depth.unwrap_or(defaults.depth),
             renderer: match (self.fast, self.no_omit) {
                 (true, _) => Renderer::Engine,
-                (false, true) => Renderer::AllWork,
+                (false, true) => Renderer::NoOmissions,
                 (false, false) => defaults.renderer,
             },
             omissions: None,

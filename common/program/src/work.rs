@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use common::comparison::{Comparison, complete, small};
-use common::left_out::{LeftOut, Words};
+use common::omitted_work::{OmittedWork, Words};
 use common::{Error, Median, Scene, Settings};
 
 use crate::options::Options;
@@ -32,7 +32,7 @@ pub fn explain(scene: &Scene, settings: &Settings, options: &Options) -> Result<
         print(&format!("{name}, in a picture of {}:", settings.size))?;
         let comparison = Comparison::new(scene, &settings)?;
         print(&comparison.to_string())?;
-        print_left_out(&LeftOut::all(scene, &settings)?)?;
+        print_omitted(&OmittedWork::all(scene, &settings)?)?;
         print(&Times::measure(scene, &settings)?.in_words())?;
         print(&format!(
             "  largest difference of a channel {:.1e}",
@@ -41,7 +41,7 @@ pub fn explain(scene: &Scene, settings: &Settings, options: &Options) -> Result<
     })
 }
 
-fn print_left_out(rows: &[LeftOut]) -> Result<(), Error> {
+fn print_omitted(rows: &[OmittedWork]) -> Result<(), Error> {
     if rows.is_empty() {
         return print("  left out: nothing, because the scene needs all of it");
     }

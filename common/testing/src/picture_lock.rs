@@ -5,7 +5,7 @@
 //! `INSTA_UPDATE=always` accepts the new pictures, in both halves.
 
 mod invariance;
-mod left_out;
+mod omission_table;
 mod program_run;
 
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use program::picture_name;
 use common::difference::{compare_with_file, leave_pictures};
 
 pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
-pub use left_out::check_book;
+pub use omission_table::check_book;
 pub use program_run::check_program;
 
 /// The paths of a stage's tests.
@@ -115,7 +115,7 @@ const RENDERERS: [(Renderer, &str); 3] = [
         "by the fast renderer (--fast) is not the lesson's",
     ),
     (
-        Renderer::AllWork,
+        Renderer::NoOmissions,
         "by the renderer of all work (--no-omit) is not the lesson's",
     ),
 ];

@@ -36,7 +36,7 @@ impl View {
             return trace_samples(settings, pixel, light);
         }
         let omissions = match settings.renderer {
-            Renderer::AllWork => Omissions::NONE,
+            Renderer::NoOmissions => Omissions::NONE,
             Renderer::Lesson | Renderer::Engine => Omissions::ALL,
         };
         let view = self.instrumented(Instruments::Report(omissions));

@@ -16,7 +16,7 @@ use a05_lighting::{Lighting, Material};
 use common::steps::{self, Step, StepKind};
 use common::{Color, Omissions};
 
-use crate::instruments::measured::MeasuredTracer;
+use crate::instruments::omitting_tracer::OmittingTracer;
 use crate::kinds::KINDS;
 use crate::{LightSource, RecursiveTracer, ShadowedWorld, Surface};
 
@@ -71,7 +71,7 @@ impl TracedWorld for InstrumentedWorld {
             return self.color(|world| RecursiveTracer::new(world).trace(ray, depth));
         }
         let omissions = self.instruments.omissions();
-        self.color(|world| MeasuredTracer { world, omissions }.trace(ray, depth))
+        self.color(|world| OmittingTracer { world, omissions }.trace(ray, depth))
     }
 
     fn instrumented(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {

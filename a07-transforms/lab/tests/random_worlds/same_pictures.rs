@@ -23,7 +23,7 @@ pub fn compare(seed: u64, view: impl Fn() -> View, settings: &Settings) -> Image
         view().render(&settings, &()).unwrap()
     };
     let lesson = render(Renderer::Lesson);
-    let mut others = vec![("all work", render(Renderer::AllWork))];
+    let mut others = vec![("all work", render(Renderer::NoOmissions))];
     for engine in engine::at_each_level(|| render(Renderer::Engine)) {
         others.push(("the engine", engine));
     }

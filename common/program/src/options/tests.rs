@@ -74,7 +74,7 @@ fn a_flag_chooses_the_renderer_or_the_scene_decides() {
     assert_eq!(flags.settings(&scene).unwrap(), defaults);
     for (fast, no_omit, renderer) in [
         (true, false, Renderer::Engine),
-        (false, true, Renderer::AllWork),
+        (false, true, Renderer::NoOmissions),
     ] {
         (flags.fast, flags.no_omit) = (fast, no_omit);
         assert_eq!(flags.settings(&scene).unwrap().renderer, renderer);

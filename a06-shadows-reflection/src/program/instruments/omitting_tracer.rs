@@ -15,13 +15,13 @@ use crate::{ShadowedWorld, mirror_direction, secondary_ray};
 
 /// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer) in this world.
 #[derive(Clone, Copy)]
-pub struct MeasuredTracer<'a> {
+pub struct OmittingTracer<'a> {
     pub world: &'a ShadowedWorld,
     /// The work that is left out.
     pub omissions: Omissions,
 }
 
-impl MeasuredTracer<'_> {
+impl OmittingTracer<'_> {
     /// The colour that a ray brings back if it may hit `depth` surfaces in turn.
     pub fn trace(self, ray: &Ray, depth: u32) -> Color {
         let omits_black_mirrors = self.omissions.contains(Omission::BlackMirrors);
@@ -57,7 +57,7 @@ impl MeasuredTracer<'_> {
     }
 }
 
-impl Lighting for MeasuredTracer<'_> {
+impl Lighting for OmittingTracer<'_> {
     fn ambient(&self) -> Color {
         self.world.ambient()
     }

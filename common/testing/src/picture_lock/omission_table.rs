@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use common::comparison::Comparison;
-use common::left_out::Words;
+use common::omitted_work::Words;
 use common::{Omission, Stage};
 
 use super::TestPaths;

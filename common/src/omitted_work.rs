@@ -1,4 +1,4 @@
-//! `LeftOut`: the work that a renderer leaves out in a scene, one reason at a time.
+//! `OmittedWork`: the work that a renderer leaves out in a scene, one reason at a time.
 //!
 //! The reasons are put back one after the other, and each is compared with those before it. So the
 //! rows add up to the work of the renderer that leaves out nothing.
@@ -67,14 +67,14 @@ impl Words {
 
 /// A kind of work that a renderer leaves out in a scene.
 #[derive(Debug)]
-pub struct LeftOut {
+pub struct OmittedWork {
     /// The kind.
     pub omission: Omission,
     /// The steps that it leaves out; of a kind of which it takes more, none.
     pub steps: Counts,
 }
 
-impl LeftOut {
+impl OmittedWork {
     /// The work of each kind that the renderer of the settings leaves out in a scene, counted on the
     /// threads of the current pool.
     pub fn all(scene: &Scene, settings: &Settings) -> Result<Vec<Self>, Error> {
@@ -82,7 +82,7 @@ impl LeftOut {
         let mut omissions = Omissions::ALL;
         let (_, mut before) = count(scene, settings, omissions)?;
         for omission in Omission::ALL {
-            if !is_left_out(omission, settings) {
+            if !is_omitted(omission, settings) {
                 continue;
             }
             omissions = omissions.without(omission);
@@ -111,7 +111,7 @@ impl LeftOut {
 
 /// Whether the renderer of the settings can leave this work out.
 #[must_use]
-pub fn is_left_out(omission: Omission, settings: &Settings) -> bool {
+pub fn is_omitted(omission: Omission, settings: &Settings) -> bool {
     let is_engine = settings.renderer == Renderer::Engine;
     match omission {
         Omission::IdentityTransforms | Omission::DistantObjects => is_engine,
