@@ -100,7 +100,7 @@ impl Face {
         // For corners on a line the normal is only rounding error; for a point, NaN.
         if least_height > 4.0 * f64::EPSILON {
             // With shorter edges the areas in the hit test lose digits.
-            let stands = longest >= argument::SMALLEST_LENGTH;
+            let stands = longest >= argument::MIN_LENGTH;
             argument::check("longest edge", longest, stands, "at least 1e-100 long")?;
             Ok(Self {
                 normal: across.as_normal().unit("triangle")?,

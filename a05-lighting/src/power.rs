@@ -24,10 +24,10 @@ pub const fn squaring(mut base: f64, mut exponent: u64) -> f64 {
 }
 
 /// Largest exponent for squaring: the error is at most 1e-13, which is invisible.
-const LARGEST: f64 = 1024.0;
+const MAX_EXPONENT: f64 = 1024.0;
 
 /// The exponent, if it is a small whole number.
 fn whole(exponent: f64) -> Option<u64> {
     let whole = exponent as u32;
-    (exponent <= LARGEST && f64::from(whole) == exponent).then(|| whole.into())
+    (exponent <= MAX_EXPONENT && f64::from(whole) == exponent).then(|| whole.into())
 }

@@ -12,7 +12,7 @@ use crate::Mat4x4;
 
 /// Largest magnitude of an entry. Up to here the square of a transformed
 /// direction does not overflow.
-const LARGEST_ENTRY: f64 = 1e150;
+const MAX_ENTRY: f64 = 1e150;
 
 /// A chain of translations, scalings and rotations.
 ///
@@ -135,7 +135,7 @@ impl Transform {
         };
         if [chained.m, chained.i]
             .iter()
-            .all(|m| m.is_within(LARGEST_ENTRY))
+            .all(|m| m.is_within(MAX_ENTRY))
         {
             Ok(chained)
         } else {

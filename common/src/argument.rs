@@ -1,7 +1,7 @@
 //! Checks of the arguments of constructors, and the one error type they share.
 //!
-//! Lengths and coordinates stay within [`SMALLEST_LENGTH`] and
-//! [`LARGEST_LENGTH`], so that a product of three of them neither overflows
+//! Lengths and coordinates stay within [`MIN_LENGTH`] and
+//! [`MAX_LENGTH`], so that a product of three of them neither overflows
 //! nor underflows, and no formula of the workbook yields infinity or NaN.
 
 use std::fmt;
@@ -9,16 +9,16 @@ use std::fmt;
 use crate::{Color, text};
 
 /// Shortest length that a constructor accepts.
-pub const SMALLEST_LENGTH: f64 = 1e-100;
+pub const MIN_LENGTH: f64 = 1e-100;
 
 /// Greatest length, and greatest magnitude of a coordinate, that a constructor
 /// accepts.
-pub const LARGEST_LENGTH: f64 = 1e100;
+pub const MAX_LENGTH: f64 = 1e100;
 
 /// Greatest channel of a colour that a constructor accepts. With it, light times the
 /// colour of a material is finite, even squared for an error estimate and summed over
 /// lights and samples.
-pub const LARGEST_CHANNEL: f64 = 1e50;
+pub const MAX_CHANNEL: f64 = 1e50;
 
 /// An argument outside of the range that its constructor accepts.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -68,19 +68,19 @@ pub fn not_negative(name: &'static str, value: f64) -> Result<f64, ArgumentError
 
 /// A positive length within the range for which the formulas hold.
 pub fn length(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
-    let valid = (SMALLEST_LENGTH..=LARGEST_LENGTH).contains(&value);
+    let valid = (MIN_LENGTH..=MAX_LENGTH).contains(&value);
     check(name, value, valid, "a length from 1e-100 to 1e100")
 }
 
 /// A coordinate within the range for which the formulas hold.
 pub fn coordinate(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
-    let valid = value.abs() <= LARGEST_LENGTH;
+    let valid = value.abs() <= MAX_LENGTH;
     check(name, value, valid, "a coordinate from -1e100 to 1e100")
 }
 
 /// A colour within the range for which the formulas hold, no channel negative.
 pub fn color(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
-    let valid = |channel: &f64| (0.0..=LARGEST_CHANNEL).contains(channel);
+    let valid = |channel: &f64| (0.0..=MAX_CHANNEL).contains(channel);
     check_channels(name, value, valid, "a colour of channels from 0 to 1e50")
 }
 

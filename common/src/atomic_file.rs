@@ -47,12 +47,12 @@ pub fn check_writable(path: &Path) -> Result<(), Error> {
 }
 
 /// Most links that lead from one to the next, as on Linux.
-const MOST_LINKS: usize = 40;
+const MAX_LINKS: usize = 40;
 
 /// The file that a name leads to through links. It may be missing.
 fn target(path: &Path) -> PathBuf {
     let mut target = path.to_owned();
-    for _ in 0..MOST_LINKS {
+    for _ in 0..MAX_LINKS {
         match fs::read_link(&target) {
             Ok(next) => target = target.with_file_name(next),
             Err(_) => break,

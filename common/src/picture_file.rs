@@ -17,11 +17,11 @@ use crate::{Color, Error, Image, Size, atomic_file, file};
 
 /// Longer files are not opened, because a file is read as a whole. The largest picture that
 /// opens, with 16 bits per channel, has half as many bytes.
-const LONGEST_FILE: u64 = 1 << 30;
+const MAX_FILE_BYTES: u64 = 1 << 30;
 
 /// Most memory for metadata. The largest are colour profiles, which are compressed in
 /// the file and have a few megabytes at most.
-const MOST_BYTES_BESIDE_PIXELS: u64 = 1 << 24;
+const MAX_BYTES_BESIDE_PIXELS: u64 = 1 << 24;
 
 const ENDS_TOO_EARLY: &str = "the file ends too early; it may be only half copied";
 
@@ -30,7 +30,7 @@ const ENDS_TOO_EARLY: &str = "the file ends too early; it may be only half copie
 ///
 /// The size is checked before memory is allocated for the pixels.
 pub fn open(path: &Path) -> Result<Image, Error> {
-    let bytes = file::read(Path::new(""), path, LONGEST_FILE);
+    let bytes = file::read(Path::new(""), path, MAX_FILE_BYTES);
     open_bytes(path, &bytes.map_err(|reason| cannot_open(path, reason))?)
 }
 
@@ -79,7 +79,7 @@ fn decode_lossless(
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::default();
     // The pixels have their own limit, the size of the picture.
-    limits.max_alloc = Some(MOST_BYTES_BESIDE_PIXELS);
+    limits.max_alloc = Some(MAX_BYTES_BESIDE_PIXELS);
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(explain)?;
     let (width, height) = decoder.dimensions();

@@ -80,7 +80,7 @@ pub struct Settings {
     pub max_error: Option<f64>,
     /// Selects the random numbers; the same seed gives the same picture.
     pub seed: u64,
-    /// The number of surfaces that a ray may hit, up to [`Settings::LARGEST_DEPTH`]: 1 shows no
+    /// The number of surfaces that a ray may hit, up to [`Settings::MAX_DEPTH`]: 1 shows no
     /// reflection.
     pub depth: u32,
     /// The code that renders the picture.
@@ -100,7 +100,7 @@ impl Settings {
     /// Most surfaces that a ray may hit. Between perfect mirrors a ray hits as many as it may,
     /// so that a picture of a larger depth would not end. Of 10000 mirrors that reflect 0.999 of
     /// the light, 1/22000 is left, which no picture shows.
-    pub const LARGEST_DEPTH: u32 = 10_000;
+    pub const MAX_DEPTH: u32 = 10_000;
 }
 
 impl Default for Settings {

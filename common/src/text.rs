@@ -5,10 +5,10 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Most letters of a name from a file in a message, and of a path.
-const LONGEST_NAME: usize = 80;
-const LONGEST_PATH: usize = 400;
+const MAX_NAME: usize = 80;
+const MAX_PATH: usize = 400;
 /// Most letters of a line of a message.
-const LONGEST_LINE: usize = 2000;
+const MAX_LINE: usize = 2000;
 
 /// A number in the shortest form that reads as the same number: at most 17 digits, with an
 /// exponent if it is huge or tiny.
@@ -55,7 +55,7 @@ pub fn visible_lines(text: &str) -> String {
 pub fn message(text: &str) -> String {
     let lines: Vec<_> = text
         .split('\n')
-        .map(|line| visible(&shortened(line, LONGEST_LINE)))
+        .map(|line| visible(&shortened(line, MAX_LINE)))
         .collect();
     lines.join("\n")
 }
@@ -84,13 +84,13 @@ pub fn from_file(bytes: Vec<u8>) -> Result<String, String> {
 /// A name from a file or the command line: visible, and shortened in its middle.
 #[must_use]
 pub fn name(text: &str) -> String {
-    visible(&shortened(text, LONGEST_NAME))
+    visible(&shortened(text, MAX_NAME))
 }
 
 /// A path: visible, and shortened in its middle.
 #[must_use]
 pub fn path(path: &Path) -> String {
-    visible(&shortened(&path.to_string_lossy(), LONGEST_PATH))
+    visible(&shortened(&path.to_string_lossy(), MAX_PATH))
 }
 
 /// The known name that is most like a misspelt one, if one is like it. Capital letters and `_` do
@@ -204,18 +204,15 @@ mod tests {
             r"a\u{8}b\nc\u{1b}[2Jü日\u{202e}"
         );
         assert_eq!(visible_lines("a\n\tb"), "a\n\\tb");
-        assert_eq!(name(&"x".repeat(5000)).chars().count(), LONGEST_NAME);
+        assert_eq!(name(&"x".repeat(5000)).chars().count(), MAX_NAME);
         assert_eq!(name("short"), "short");
         let lines = message(&format!("{}\n{}\n", "z".repeat(50_000), "a\u{7}"));
-        assert_eq!(
-            lines.len(),
-            LONGEST_LINE + "…".len() - 1 + "\na\\u{7}\n".len()
-        );
+        assert_eq!(lines.len(), MAX_LINE + "…".len() - 1 + "\na\\u{7}\n".len());
         let long = Path::new("folder/")
             .join("y".repeat(5000))
             .join("scene.toml");
         let shown = path(&long);
         assert!(shown.starts_with("folder/y") && shown.ends_with("y/scene.toml"));
-        assert_eq!(shown.chars().count(), LONGEST_PATH);
+        assert_eq!(shown.chars().count(), MAX_PATH);
     }
 }

@@ -64,7 +64,7 @@ pub const AIM: Aim = Aim {
 };
 
 /// Rays for each point at most: a wrong formula may hit nothing.
-const MOST_RAYS: usize = 1_000;
+const MAX_RAYS: usize = 1_000;
 
 /// A shape, and a ray from an eye to a target, from random numbers.
 pub struct EyeRay {
@@ -100,7 +100,7 @@ pub fn from_eye_rays(
     eye_ray: impl Fn(&mut Numbers) -> Result<EyeRay, Error>,
 ) -> Result<Vec<LitPoint>, Error> {
     let mut points = Vec::new();
-    for n in 0..MOST_RAYS * count {
+    for n in 0..MAX_RAYS * count {
         if points.len() == count {
             break;
         }

@@ -16,11 +16,11 @@ const DIM: f64 = 1.0 / (1 << 20) as f64;
 #[test]
 fn the_largest_depth_ends_and_every_surface_counts() {
     let scene = open(&SCENE.replace("DIM", &format!("{DIM:?}"))).unwrap();
-    let expected = Color::gray(f64::from(Settings::LARGEST_DEPTH) * DIM);
+    let expected = Color::gray(f64::from(Settings::MAX_DEPTH) * DIM);
     for renderer in Renderer::ALL {
         let settings = Settings {
             size: Size::new(3, 2).unwrap(),
-            depth: Settings::LARGEST_DEPTH,
+            depth: Settings::MAX_DEPTH,
             renderer,
             ..scene.defaults.clone()
         };

@@ -7,11 +7,11 @@ use common::{Size, picture_file};
 use image::ImageReader;
 
 /// Larger pictures that the limits allow are not opened: they would take all the time.
-const MOST_PIXELS: usize = 1 << 12;
+const MAX_PIXELS: usize = 1 << 12;
 
 /// Opens the bytes as a picture: the channels are from 0 to 1, or there is a reason.
 pub fn check(bytes: &[u8]) {
-    if size(bytes).is_some_and(|size| size.pixels() > MOST_PIXELS) {
+    if size(bytes).is_some_and(|size| size.pixels() > MAX_PIXELS) {
         return;
     }
     match picture_file::open_bytes(Path::new("picture"), bytes) {

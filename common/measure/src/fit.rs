@@ -8,10 +8,10 @@ use crate::sure::Sure;
 
 /// The most that errors may stray from a power law, as the root mean square of their
 /// residuals in decades: a factor of about the square root of two.
-const MOST_SCATTER: f64 = 0.15;
+const MAX_SCATTER: f64 = 0.15;
 
 /// The most by which the slope of a power law changes between its halves.
-const MOST_BEND: f64 = 0.2;
+const MAX_BEND: f64 = 0.2;
 
 /// The least range of a power law, in decades.
 const LEAST_DECADES: f64 = 1.0;
@@ -67,13 +67,13 @@ impl Fit {
     /// Whether the points follow a power law: over a decade or more, they stray from the
     /// line by less than a factor of the square root of two, and it does not bend.
     pub fn is_power_law(&self) -> bool {
-        self.decades >= LEAST_DECADES && self.scatter <= MOST_SCATTER && !self.bends()
+        self.decades >= LEAST_DECADES && self.scatter <= MAX_SCATTER && !self.bends()
     }
 
     /// Whether the slope changes, beyond the noise of the points around the bent curve: the standard
     /// error of the straight line would grow with the bend, and excuse it.
     fn bends(&self) -> bool {
-        self.bend.abs() > MOST_BEND
+        self.bend.abs() > MAX_BEND
     }
 
     /// The slope with its interval.
@@ -95,7 +95,7 @@ impl fmt::Display for Fit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.decades < LEAST_DECADES {
             f.write_str("no power law: less than a decade")
-        } else if self.scatter > MOST_SCATTER {
+        } else if self.scatter > MAX_SCATTER {
             let factor = libm::pow(10.0, self.scatter).min(99.0);
             write!(f, "no power law: a factor of {factor:.1} off a line")
         } else if self.bends() {

@@ -9,7 +9,7 @@ const FEWEST_ROUNDS: usize = 9;
 const ENOUGH_TIME: f64 = 6.0;
 
 /// The most runs of a measurement.
-const MOST_RUNS: f64 = 1e4;
+const MAX_RUNS: f64 = 1e4;
 
 /// The point of a curve whose turn it is, and how often it is run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,11 +93,11 @@ impl Rounds {
         self.total += seconds;
         let times = &mut self.times[curve][point];
         let is_first = times.runs == 0;
-        let is_short = seconds < self.least_time && f64::from(runs) < MOST_RUNS;
+        let is_short = seconds < self.least_time && f64::from(runs) < MAX_RUNS;
         times.is_too_short = seconds < self.least_time / 2.0;
         // A clock that does not see a run sees a hundred of them, or ten thousand.
         let factor = (1.2 * self.least_time / seconds).clamp(1.0, 100.0);
-        times.runs = libm::ceil((f64::from(runs) * factor).min(MOST_RUNS)) as u32;
+        times.runs = libm::ceil((f64::from(runs) * factor).min(MAX_RUNS)) as u32;
         if times.seconds.is_empty() && (is_first || is_short) {
             return;
         }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// The most significant digits of a number.
-const MOST_DIGITS: i32 = 3;
+const MAX_DIGITS: i32 = 3;
 
 /// A number and half of its interval, `0.87 ± 0.02`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ impl Sure {
         let least = if value == 0.0 {
             half_width
         } else {
-            libm::pow(10.0, (power(value.abs()) + 1 - MOST_DIGITS).into())
+            libm::pow(10.0, (power(value.abs()) + 1 - MAX_DIGITS).into())
         };
         let half_width = half_width.max(least);
         let mut unit = libm::pow(10.0, power(half_width).into());

@@ -7,13 +7,10 @@ use common::{Color, Error, Renderer, Scene, Settings, atomic_file, text};
 use crate::Inspector;
 use crate::by_numbers::list_numbers;
 use crate::explained_pixel::trace_in_words;
-use crate::options::Options;
+use crate::options::{MAX_EXPLAINED_SAMPLES, Options};
 use crate::print::{print, warn};
 use crate::render::{render, warn_unused};
 use crate::target::check_no_input;
-
-/// Most samples whose steps are recorded: each takes about 10 kB.
-const MOST_SAMPLES: u32 = 4096;
 
 /// How a pixel is explained.
 #[derive(clap::Args)]
@@ -125,8 +122,8 @@ fn check(settings: &Settings, [x, y]: [u32; 2], arguments: &ExplainArgs) -> Resu
         format!(
             "--pixel {x},{y} is outside of the picture, whose pixels are 0,0 to {right},{bottom}"
         )
-    } else if settings.samples > MOST_SAMPLES {
-        format!("explain follows at most {MOST_SAMPLES} samples")
+    } else if settings.samples > MAX_EXPLAINED_SAMPLES {
+        format!("explain follows at most {MAX_EXPLAINED_SAMPLES} samples")
     } else if arguments.beside && settings.renderer == Renderer::Lesson {
         "--beside compares with another renderer; add --fast or --no-omit".to_owned()
     } else {

@@ -4,10 +4,8 @@ use common::pixel_trace::digits;
 use common::steps::{Outcome, StepKind};
 use common::{Color, Error, Picture, PixelTrace, Renderer, Sampling, Scene, Settings};
 
+use crate::options::MAX_CLICKED_SAMPLES;
 use crate::{Inspector, SeenLine};
-
-/// Most samples of a pixel that are followed: of more, one in the middle stands for all.
-const MOST_SAMPLES: u32 = 16;
 
 /// A pixel with its rays.
 pub struct ExplainedPixel {
@@ -41,7 +39,7 @@ impl ExplainedPixel {
                 text: in_words(scene, &settings, pixel, "", color),
             });
         };
-        let is_one_of_many = settings.max_error.is_some() || settings.samples > MOST_SAMPLES;
+        let is_one_of_many = settings.max_error.is_some() || settings.samples > MAX_CLICKED_SAMPLES;
         if is_one_of_many {
             settings.max_error = None;
             (settings.samples, settings.sampling) = (1, Sampling::Center);

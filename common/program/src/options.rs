@@ -36,7 +36,7 @@ pub struct Options {
     seed: Option<u64>,
 
     /// Surfaces that a ray may hit in turn; 1 shows no reflection [default: the scene's]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=Settings::LARGEST_DEPTH))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=Settings::MAX_DEPTH))]
     depth: Option<u32>,
 
     /// Threads to render with [default: one for each core]
@@ -61,7 +61,11 @@ pub struct Options {
 }
 
 /// Most samples of a pixel in adaptive sampling if `--samples` is not given.
-const MAX_SAMPLES: u32 = 1024;
+const MAX_ADAPTIVE_SAMPLES: u32 = 1024;
+/// Most samples whose steps `explain` writes down: each takes about 10 kB.
+pub const MAX_EXPLAINED_SAMPLES: u32 = 4096;
+/// Most samples that a click follows: of more, one in the middle stands for all.
+pub const MAX_CLICKED_SAMPLES: u32 = 16;
 
 /// Reads a whole number of this range.
 pub fn whole<T>(
@@ -136,7 +140,7 @@ impl Options {
         Ok(Settings {
             size,
             samples: match self.max_error {
-                Some(_) => self.samples.unwrap_or(MAX_SAMPLES),
+                Some(_) => self.samples.unwrap_or(MAX_ADAPTIVE_SAMPLES),
                 None => samples,
             },
             sampling,

@@ -15,7 +15,7 @@ pub const PERIOD: Duration = Duration::from_millis(200);
 
 /// The content of a file of at most this size, in bytes, is compared, too: two saves of the same length may
 /// have the same time. That of larger ones, which no person types, would take too long to read so often.
-const MOST_COMPARED: u64 = 1 << 20;
+const MAX_COMPARED: u64 = 1 << 20;
 
 /// Why nothing can be watched.
 pub const NOT_WATCHED: &str = "--watch needs one scene file, which ends in .toml";
@@ -97,7 +97,7 @@ impl Watch {
 fn saved(path: &Path) -> Option<Saved> {
     let metadata = fs::metadata(path).ok()?;
     let bytes = metadata.len();
-    let hash = if bytes <= MOST_COMPARED && metadata.is_file() {
+    let hash = if bytes <= MAX_COMPARED && metadata.is_file() {
         fnv1a(&fs::read(path).ok()?)
     } else {
         0

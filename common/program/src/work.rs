@@ -12,8 +12,8 @@ use crate::print::print;
 use crate::processor_time::processor_time;
 
 /// The most rounds of renderings, and the time that ends them.
-const MOST_ROUNDS: usize = 25;
-const LONGEST: Duration = Duration::from_secs(2);
+const MAX_ROUNDS: usize = 25;
+const MAX_TIME: Duration = Duration::from_secs(2);
 
 /// Prints the work that the renderer leaves out in a scene.
 pub fn explain(scene: &Scene, settings: &Settings, options: &Options) -> Result<(), Error> {
@@ -75,7 +75,7 @@ impl Times {
             renderer: Vec::new(),
             all: Vec::new(),
         };
-        while times.all.len() < MOST_ROUNDS && (times.all.is_empty() || start.elapsed() < LONGEST) {
+        while times.all.len() < MAX_ROUNDS && (times.all.is_empty() || start.elapsed() < MAX_TIME) {
             times.renderer.push(timed(settings)?);
             times.all.push(timed(&complete)?);
         }

@@ -212,7 +212,7 @@ fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
     // A sparse file: it occupies no space on the disk.
     let long = folder.path().join("long.jpg");
     let file = std::fs::File::create(&long).unwrap();
-    file.set_len(LONGEST_FILE + 1).unwrap();
+    file.set_len(MAX_FILE_BYTES + 1).unwrap();
     let error = open(&long).unwrap_err().to_string();
     assert!(
         error.ends_with("it has more than 1073741824 bytes"),

@@ -108,8 +108,8 @@ pub fn settings(picture: &Item) -> Result<Settings, scene_file::Error> {
     }
     if let Some([[depth]]) = picture.find_rows("depth") {
         settings.depth = depth as u32;
-        if settings.depth > Settings::LARGEST_DEPTH {
-            let most = Settings::LARGEST_DEPTH;
+        if settings.depth > Settings::MAX_DEPTH {
+            let most = Settings::MAX_DEPTH;
             let text = format!("depth must be a whole number from 1 to {most}");
             return Err(picture.error("depth", text));
         }

@@ -5,7 +5,7 @@ use std::ops::MulAssign;
 use crate::lanes::{Lanes, Simd, is_set, lanes, splat};
 
 /// Up to this exponent squaring loses at most 1e-13.
-const LARGEST: f64 = 1024.0;
+const MAX_EXPONENT: f64 = 1024.0;
 
 /// Four powers. Lanes that are not active hold anything.
 #[inline(always)]
@@ -50,5 +50,5 @@ fn squaring<T: Copy + MulAssign>(mut base: T, mut power: T, mut exponent: u64) -
 /// The exponent, if it is a small whole number.
 fn whole(exponent: f64) -> Option<u64> {
     let whole = exponent as u32;
-    (exponent <= LARGEST && f64::from(whole) == exponent).then(|| whole.into())
+    (exponent <= MAX_EXPONENT && f64::from(whole) == exponent).then(|| whole.into())
 }

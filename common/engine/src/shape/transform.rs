@@ -23,7 +23,7 @@ pub(super) const WORST_CONDITION: f64 = 1_048_576.0;
 
 /// Largest entry of an inverse, and the reciprocal of the largest entry of a matrix, so that
 /// the length of a transformed normal can be squared.
-const LARGEST_ENTRY: f64 = 1e100;
+const MAX_ENTRY: f64 = 1e100;
 
 impl Transform {
     pub(super) const IDENTITY: Self = Self::new(DMat4::IDENTITY, DMat4::IDENTITY);
@@ -49,7 +49,7 @@ impl Transform {
         let (size, of_inverse) = (norm(self.matrix), norm(self.inverse));
         norm(self.inverse * self.matrix - DMat4::IDENTITY) < 0.5
             && size * of_inverse < WORST_CONDITION
-            && size.max(of_inverse) < LARGEST_ENTRY
+            && size.max(of_inverse) < MAX_ENTRY
     }
 
     /// By how much it makes lengths longer or shorter, at most.

@@ -28,7 +28,7 @@ const ONE_TWO_FIVE: f64 = 0.7;
 const PADDING: f64 = 0.03;
 
 /// The most labels of powers of ten.
-const MOST_POWERS: f64 = 8.0;
+const MAX_POWERS: f64 = 8.0;
 
 impl LogAxis {
     /// The axis of some positive numbers between two positions in the picture.
@@ -68,7 +68,7 @@ impl LogAxis {
             // Without 7 and 9, whose labels are too near to the next.
             ..ONE_TWO_FIVE => (&[1, 2, 3, 4, 5, 6, 8], 1),
             ..2.0 => (&[1, 2, 5], 1),
-            _ => (&[1], (decades / MOST_POWERS).ceil() as i32),
+            _ => (&[1], (decades / MAX_POWERS).ceil() as i32),
         };
         let mut held = Vec::new();
         for power in self.from.floor() as i32..=self.to.ceil() as i32 {

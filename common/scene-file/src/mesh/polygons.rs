@@ -1,6 +1,6 @@
 //! `Polygons`: the points, normals and faces of a file, before the faces are triangles.
 
-use common::argument::LARGEST_LENGTH;
+use common::argument::MAX_LENGTH;
 use common::text;
 
 /// What a mesh file has.
@@ -56,7 +56,7 @@ impl Polygons {
     /// Adds a point. The error is the end of a sentence about it.
     pub fn add_position(&mut self, position: [f64; 3]) -> Result<(), String> {
         for (axis, x) in ["x", "y", "z"].into_iter().zip(position) {
-            let is_coordinate = x.abs() <= LARGEST_LENGTH;
+            let is_coordinate = x.abs() <= MAX_LENGTH;
             if !is_coordinate {
                 let x = text::number(x);
                 return Err(format!(

@@ -44,7 +44,7 @@ pub enum Response {
 }
 
 /// The largest error of a slope that is told, as a fraction of the slope.
-const LARGEST_ERROR: f64 = 2e-6;
+const MAX_ERROR: f64 = 2e-6;
 /// A slope is nearly 0 if it gives at most this fraction of the change by half a pixel.
 const TURNING: f64 = 0.1;
 
@@ -208,7 +208,7 @@ fn told(slope: Option<Slope>, center: &State, sides: &[&Side]) -> Response {
                 half_pixel,
             }
         }
-        Some(Slope { slope, error }) if error <= LARGEST_ERROR * magnitude(slope) => {
+        Some(Slope { slope, error }) if error <= MAX_ERROR * magnitude(slope) => {
             Response::Smooth { slope, error }
         }
         _ => Response::Unknown(half_pixel),
