@@ -15,6 +15,7 @@ use crate::own_program;
 use crate::results;
 use crate::sheet;
 use crate::submission::{self, Found, Submission};
+use crate::unnamed::Unnamed;
 
 /// Judges what students hand in, with limits
 #[derive(clap::Args)]
@@ -75,10 +76,10 @@ impl Grade {
                 Err(format!("these do not build: {}", faulty.join(", ")))
             };
         }
-        let mut graded = Vec::new();
+        let (mut graded, mut unnamed) = (Vec::new(), Unnamed::default());
         if !self.exercises.is_empty() {
             for submission in &submissions {
-                let student = self.judge_all(submission, &folder);
+                let student = self.judge_all(submission, &folder, &mut unnamed)?;
                 print!("{}", results::text(&student));
                 graded.push(student);
             }
@@ -91,6 +92,7 @@ impl Grade {
                 None => graded.push(student),
             }
         }
+        print!("{}", unnamed.list()?);
         let needs_a_look = |judged: &Judged| judged.outcome.state == State::NeedsALook;
         let unclear = graded
             .iter()
@@ -115,7 +117,12 @@ impl Grade {
     }
 
     /// Judges the files of a student, one after the other.
-    fn judge_all(&self, submission: &Submission, folder: &GradingFolder) -> Graded {
+    fn judge_all(
+        &self,
+        submission: &Submission,
+        folder: &GradingFolder,
+        unnamed: &mut Unnamed,
+    ) -> Result<Graded, String> {
         let mut results = Vec::new();
         for e in &self.exercises {
             let (mut file, mut about) = (String::new(), String::new());
@@ -125,7 +132,9 @@ impl Grade {
                 Found::File { path, text, note } => {
                     path.clone_into(&mut file);
                     about = note;
-                    judge(folder, e, text)
+                    let outcome = judge(folder, e, text);
+                    unnamed.add(e, &submission.name, text, &outcome.unnamed)?;
+                    outcome
                 }
             };
             results.push(Judged {
@@ -137,9 +146,9 @@ impl Grade {
                 outcome,
             });
         }
-        Graded {
+        Ok(Graded {
             name: submission.name.clone(),
             results,
-        }
+        })
     }
 }

@@ -3,14 +3,16 @@
 //! The program prints its answers. The grader compares them with the recorded ones of its own
 //! workbook: so an exit code is no verdict.
 
-use exercise::{Record, Verdict, read_answers, verdict};
+use std::ffi::OsStr;
+
+use exercise::{Record, StudentAnswer, Verdict, read_answers, verdict};
 use learn::exercise::Exercise;
 use learn::files;
 
 use crate::grading_folder::GradingFolder;
 use crate::outcome::{Outcome, State};
 use crate::refusal::refusal;
-use crate::sandbox::{End, Limits, Place};
+use crate::sandbox::{End, Ended, Limits, Place};
 
 /// Judges the text of a student's file. Faults of the grader end no grading: the file needs a look.
 pub fn judge(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Outcome {
@@ -22,10 +24,48 @@ pub fn judge(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Outcom
 
 /// The outcome, or a fault of the grader.
 fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Outcome, String> {
-    let wrong = |message: &str| Outcome::without_answers(State::Wrong, message);
+    let ended = match run(folder, e, text, &[])? {
+        Ok(ended) => ended,
+        Err(outcome) => return Ok(outcome),
+    };
+    let message = folder.sandbox.words(&ended, "not yet");
+    let record = record(e)?;
+    let answers = read_answers(&ended.output);
+    let found = verdict(&record, &answers);
+    match ended.end {
+        End::Success if found.wrong.is_empty() => Ok(Outcome::right()),
+        End::Success => {
+            let wrong = found.wrong.join("\n");
+            let message = format!("the program reports success, but its answers say: {wrong}");
+            Ok(wrong_answers(message, found, answers))
+        }
+        End::Failure if !answers.is_empty() => Ok(wrong_answers(message, found, answers)),
+        _ => Ok(Outcome::without_answers(State::Wrong, &message)),
+    }
+}
+
+/// The recorded answers of an exercise in the lecturer's workbook.
+pub fn record(e: &Exercise) -> Result<Record, String> {
+    Record::read(&files::read(&record_file(e))?)
+}
+
+/// The file with the recorded answers, from the workbook.
+pub fn record_file(e: &Exercise) -> String {
+    format!("{}/exercises/answers/{}.txt", e.stage, e.name)
+}
+
+/// Compiles a student's file, and runs its program by the words of another one, if there are any; or the outcome
+/// of a file that has no program. The error is a fault of the grader.
+pub fn run(
+    folder: &GradingFolder,
+    e: &'static Exercise,
+    text: &str,
+    by: &[&OsStr],
+) -> Result<Result<Ended, Outcome>, String> {
+    let without_answers = |state, message: &str| Ok(Err(Outcome::without_answers(state, message)));
     if let Some(refused) = refusal(e, text) {
         // Words are a hint, and no proof: a person decides.
-        return Ok(Outcome::without_answers(State::NeedsALook, &refused));
+        return without_answers(State::NeedsALook, &refused);
     }
     let _lock = folder.lock()?;
     let sandbox = &folder.sandbox;
@@ -35,57 +75,38 @@ fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Ou
         // It says nothing about the file: the computer may have been busy.
         End::Limit(_) => {
             let why = sandbox.words(&built, "does not compile");
-            return Ok(Outcome::without_answers(
-                State::NeedsALook,
-                &format!("while it was compiled: {why}"),
-            ));
+            let message = format!("while it was compiled: {why}");
+            return without_answers(State::NeedsALook, &message);
         }
         // Cargo ends by itself where the system has ended the compiler, such as for want of memory.
         _ if built.output.contains("(signal: ") => {
-            return Ok(Outcome::without_answers(
-                State::NeedsALook,
-                "while it was compiled: the compiler was stopped",
-            ));
+            let message = "while it was compiled: the compiler was stopped";
+            return without_answers(State::NeedsALook, message);
         }
         // Nor does a file, where the check is at fault.
         _ if folder.fault(e)?.is_some() => {
-            return Ok(Outcome::without_answers(
-                State::NeedsALook,
-                "the workbook is at fault: the starter of this exercise does not compile",
-            ));
+            let message = "the workbook is at fault: the starter of this exercise does not compile";
+            return without_answers(State::NeedsALook, message);
         }
         _ => {
-            let words = learn::lacks(&built.output);
-            let words = words.unwrap_or_else(|| sandbox.words(&built, "does not compile"));
-            return Ok(wrong(&words));
+            let lacks = learn::lacks(&built.output);
+            let message = lacks.unwrap_or_else(|| sandbox.words(&built, "does not compile"));
+            return without_answers(State::Wrong, &message);
         }
     }
     let program = learn::find_program(&built.output, "test")?;
-    let ended = sandbox.run(Limits::Check, Place::Workbook, [program])?;
-    let message = sandbox.words(&ended, "not yet");
-    let file = format!("{}/exercises/answers/{}.txt", e.stage, e.name);
-    let record = Record::read(&files::read(&file)?)?;
-    let answers = read_answers(&ended.output);
-    let found = verdict(&record, &answers);
-    match ended.end {
-        End::Success if found.wrong.is_empty() => Ok(Outcome::right()),
-        End::Success => {
-            let wrong = found.wrong.join("\n");
-            let message = format!("the program reports success, but its answers say: {wrong}");
-            Ok(wrong_answers(message, found))
-        }
-        End::Failure if !answers.is_empty() => Ok(wrong_answers(message, found)),
-        _ => Ok(wrong(&message)),
-    }
+    let words = by.iter().copied().chain([program.as_ref()]);
+    sandbox.run(Limits::Check, Place::Workbook, words).map(Ok)
 }
 
 /// The outcome of a program that says it is wrong, or whose answers say so.
-fn wrong_answers(message: String, found: Verdict) -> Outcome {
+fn wrong_answers(message: String, found: Verdict, answers: Vec<StudentAnswer>) -> Outcome {
     // If all answers are right, something else is wrong.
     let (compared, differ) = match found.differ {
         0 => (found.compared + 1, 1),
         differ => (found.compared, differ),
     };
+    let is_unnamed = found.differ > 0 && found.known.is_none();
     let mistake = match found.known {
         Some(known) => known.replace("this is a known mistake; it ", ""),
         None => match found.wrong.into_iter().next() {
@@ -98,5 +119,6 @@ fn wrong_answers(message: String, found: Verdict) -> Outcome {
         message,
         fraction: (compared - differ) as f64 / compared as f64,
         mistake: mistake.lines().next().unwrap_or_default().to_owned(),
+        unnamed: if is_unnamed { answers } else { Vec::new() },
     }
 }

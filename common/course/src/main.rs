@@ -7,6 +7,7 @@ mod grading_folder;
 mod hand_in;
 mod handout;
 mod judge;
+mod mistake;
 mod outcome;
 mod own_program;
 mod picture_page;
@@ -16,6 +17,7 @@ mod sandbox;
 mod sheet;
 mod students_file;
 mod submission;
+mod unnamed;
 
 use std::process::ExitCode;
 
@@ -25,6 +27,7 @@ use learn::exercise::{self, Exercise};
 
 use grade::Grade;
 use handout::Handout;
+use mistake::Mistake;
 
 /// Hands a workbook out to students, and grades what comes back
 #[derive(Parser)]
@@ -32,6 +35,7 @@ use handout::Handout;
 enum Command {
     Handout(Handout),
     Grade(Grade),
+    Mistake(Mistake),
 }
 
 fn main() -> ExitCode {
@@ -53,6 +57,7 @@ fn run(command: Command) -> Result<String, String> {
     match command {
         Command::Handout(handout) => handout.run(course),
         Command::Grade(grade) => grade.run(course),
+        Command::Mistake(mistake) => mistake.run(course),
     }
 }
 

@@ -1,5 +1,7 @@
 //! `Outcome`: what became of an exercise or an open sheet in a submission.
 
+use exercise::StudentAnswer;
+
 /// What is known about an exercise of a submission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
@@ -39,6 +41,8 @@ pub struct Outcome {
     pub fraction: f64,
     /// What is wrong, in one line, by which a table can be sorted.
     pub mistake: String,
+    /// Wrong answers that no known mistake explains.
+    pub unnamed: Vec<StudentAnswer>,
 }
 
 impl Outcome {
@@ -50,6 +54,7 @@ impl Outcome {
             message: message.to_owned(),
             fraction: 0.0,
             mistake: first.to_owned(),
+            unnamed: Vec::new(),
         }
     }
 

@@ -159,6 +159,7 @@ fn outcome(judgement: &Judgement, sandbox: &Sandbox) -> Outcome {
         message: format!("{passed} of {all} facts hold\n{report}"),
         fraction: passed as f64 / all as f64,
         mistake: judgement.mistake(),
+        unnamed: Vec::new(),
     }
 }
 

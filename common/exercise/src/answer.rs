@@ -80,7 +80,7 @@ impl Answer {
     }
 
     /// Whether both have the same words, and the same count of numbers.
-    fn has_same_form(&self, other: &Self) -> bool {
+    pub(crate) fn has_same_form(&self, other: &Self) -> bool {
         let mut pairs = self.parts.iter().zip(&other.parts);
         self.parts.len() == other.parts.len() && pairs.all(|(a, b)| a.has_same_form(b))
     }

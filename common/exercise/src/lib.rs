@@ -28,5 +28,6 @@ pub use question::Question;
 pub use question_line::QuestionLine;
 pub use record::Record;
 pub use row::{Row, Tolerance};
-pub use student_output::{CORPUS, MARK, MARKED, WORDS_MARK, print_answers, read_answers};
+pub use student_output::{CORPUS, MARK, MARKED, PRINTED, ROWS, WORDS_MARK};
+pub use student_output::{print_answers, read_answers, read_rows};
 pub use verdict::{StudentAnswer, Verdict, verdict};

@@ -3,6 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::Answer;
+
+/// The most answers of a mistake that are recorded; of the others it is known that they are
+/// wrong.
+const MOST: usize = 4;
 use crate::row::{NoSingleAnswer, Row, Tolerance};
 
 /// A mistake of learners, and how code that makes it answers the questions of an exercise. Its
@@ -20,6 +24,35 @@ pub struct Mistake {
 }
 
 impl Mistake {
+    /// The mistake of a program with these rows instead of the right ones.
+    #[must_use]
+    pub fn new(overlooks: &str, right: &[Row], its: &[Row]) -> Self {
+        let mut mistake = Self {
+            overlooks: overlooks.to_owned(),
+            ..Self::default()
+        };
+        for (number, (right, its)) in right.iter().zip(its).enumerate() {
+            if !matches!(right.difference(&its.answer), Ok(Some(_))) {
+                continue;
+            }
+            if mistake.answers.len() < MOST {
+                let answer = (its.answer.clone(), its.tolerance.clone());
+                mistake.answers.insert(number, answer);
+            } else if its.tolerance == Tolerance::RoundingDecides {
+                mistake.undecided_rows.insert(number);
+            } else {
+                mistake.further_wrong_rows.insert(number);
+            }
+        }
+        mistake
+    }
+
+    /// The number of its wrong answers.
+    #[must_use]
+    pub fn wrong_rows(&self) -> usize {
+        self.answers.len() + self.further_wrong_rows.len()
+    }
+
     /// The answers of a program that makes this mistake, with the right ones where nothing is known.
     #[must_use]
     pub fn answers(&self, rows: &[Row]) -> Vec<Answer> {

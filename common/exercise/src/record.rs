@@ -195,8 +195,7 @@ impl Row {
 /// An answer and its tolerance; if none is said, no number moves.
 fn read_answer(mut text: &str) -> Option<(Answer, Tolerance)> {
     let answer = text::take_answer(&mut text)?;
-    let none = || Tolerance::Changes(answer.roundings(0.0).map(|_| 0.0).collect());
-    let tolerance = text::take_tolerance(&mut text).unwrap_or_else(none);
+    let tolerance = text::take_tolerance(&mut text).unwrap_or_else(|| Tolerance::none(&answer));
     Some((answer, tolerance))
 }
 

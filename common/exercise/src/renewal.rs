@@ -61,11 +61,6 @@ fn places(old: &[Row], new: &[Row]) -> Vec<Option<usize>> {
 }
 
 impl Mistake {
-    /// The number of wrong answers.
-    fn wrong_rows(&self) -> usize {
-        self.answers.len() + self.further_wrong_rows.len()
-    }
-
     /// This mistake where its rows are among others.
     fn at(&self, places: &[Option<usize>]) -> Self {
         let place = |row: &usize| places.get(*row).copied().flatten();
@@ -88,26 +83,20 @@ impl Mistake {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Answer, Question, StudentAnswer, Tolerance, verdict};
+    use crate::{Answer, Question, StudentAnswer, verdict};
 
     /// The answer of right code is the number, that of the mistake its negative.
     fn record(numbers: &[f64]) -> Record {
-        let mut rows = Vec::new();
-        let mut mistake = Mistake {
-            overlooks: "a sign is kept".to_owned(),
-            ..Mistake::default()
-        };
+        let (mut rows, mut its) = (Vec::new(), Vec::new());
         for number in numbers {
             let question = Question::new("the number {}", number, true);
             rows.push(Row::new(&question, &|input| input[0].into()));
-            mistake.answers.insert(
-                mistake.answers.len(),
-                ((-number).into(), Tolerance::Changes(vec![0.0])),
-            );
+            its.push(Row::new(&question, &|input| (-input[0]).into()));
         }
+        let mistakes = vec![Mistake::new("a sign is kept", &rows, &its)];
         Record {
             rows,
-            mistakes: vec![mistake],
+            mistakes,
             ..Record::default()
         }
     }

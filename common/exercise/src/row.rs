@@ -21,6 +21,11 @@ pub enum Tolerance {
 }
 
 impl Tolerance {
+    /// That of an answer of which no number moves.
+    pub(crate) fn none(answer: &Answer) -> Self {
+        Self::Changes(answer.roundings(0.0).map(|_| 0.0).collect())
+    }
+
     /// The tolerance at a question, with this answer to it, of code that answers moved inputs.
     /// None of the inputs of a simple question moves.
     pub(crate) fn at(
@@ -92,6 +97,19 @@ impl Row {
     #[must_use]
     pub fn is_recorded(&self) -> bool {
         self.answer != Answer::default()
+    }
+
+    /// The row of another answer to this question, which may differ as far as the right one may.
+    #[must_use]
+    pub fn with_answer(&self, answer: Answer) -> Self {
+        let mut row = Self {
+            answer,
+            ..self.clone()
+        };
+        if !row.answer.has_same_form(&self.answer) {
+            row.tolerance = Tolerance::none(&row.answer);
+        }
+        row
     }
 
     /// The first value of the right answer from which another one differs, and what it is.

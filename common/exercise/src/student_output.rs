@@ -1,6 +1,6 @@
-//! What the program of a check prints: its words to a student, and the answers to a grader.
+//! The output of the program of a check: its words to a student, and the answers to a grader.
 
-use crate::{StudentAnswer, text};
+use crate::{Record, Row, StudentAnswer, text};
 
 /// Sets the answers apart from what a program prints besides, which is before it.
 pub const MARK: char = '\u{1c}';
@@ -8,6 +8,13 @@ pub const MARK: char = '\u{1c}';
 /// With this variable in the environment, each line of a check begins with a mark, which sets it
 /// apart from what the student's program prints.
 pub const MARKED: &str = "EXERCISE_MARKED";
+
+/// With this variable, the program of a check prints its answers for a grader.
+pub const PRINTED: &str = "EXERCISE_PRINTED";
+
+/// The value of [`PRINTED`] with which it prints a record of them, too: behind another mark, and with how far
+/// each of them may move.
+pub const ROWS: &str = "rows";
 
 /// With this variable, the program of a shape's exercise asks it the rays of the corpus, and nothing else.
 pub const CORPUS: &str = "EXERCISE_CORPUS";
@@ -42,6 +49,13 @@ pub fn read_answers(output: &str) -> Vec<StudentAnswer> {
         answers.push(given);
     }
     answers
+}
+
+/// The record of its answers in the output of a program.
+#[must_use]
+pub fn read_rows(output: &str) -> Vec<Row> {
+    let (_, text) = output.rsplit_once(MARK).unwrap_or_default();
+    Record::read(text).unwrap_or_default().rows
 }
 
 fn read_answer(question: &str, answer: &str) -> Option<StudentAnswer> {

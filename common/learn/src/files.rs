@@ -24,7 +24,8 @@ pub fn workspace() -> PathBuf {
 }
 
 /// A path in the workbook: in the current folder, without that of the folder.
-pub(crate) fn shortest(path: &str) -> PathBuf {
+#[must_use]
+pub fn shortest(path: &str) -> PathBuf {
     let whole = workspace().join(path);
     let here = env::current_dir().unwrap_or_default();
     whole

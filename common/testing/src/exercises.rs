@@ -1,22 +1,6 @@
 //! Programs of exercises: they ask a student's code, or prove the exercises of a stage.
 //!
-//! # How to add an exercise
-//!
-//! 1. The solution, `exercises/solutions/NAME.rs`, ends with three to six
-//!    [`examples!`](crate::examples). The student's part stands in
-//!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut out of the
-//!    starter.
-//! 2. The check, `tests/exercises/NAME.rs`, has a function `exercise()`, which returns an
-//!    [`Exercise`]: how code answers a question, and a picture.
-//!    [`yours!`](crate::yours) is the student's code in the form that the questions take. A line
-//!    `mod NAME;` in `tests/exercises/main.rs` adds it.
-//! 3. `exercises/answers/NAME.txt` asks, as [`exercise::Record`](::exercise::Record) describes: for each
-//!    sentence of the task a simple question, and some of random numbers. [`Questions`] of a check ask
-//!    what is no number.
-//! 4. `INSTA_UPDATE=always cargo test -p STAGE --test exercises -- NAME` records the right answers
-//!    in this file, where known mistakes keep the answers that fit the questions; without
-//!    the variable it proves the exercise, shows the messages that students read, and leaves the picture
-//!    of the solution in `out/exercises/`.
+//! The section "An exercise" of `CONTRIBUTING.md` says how to add one, a question, and a known mistake.
 
 #[cfg(not(target_family = "wasm"))]
 mod assertion;

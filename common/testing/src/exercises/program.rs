@@ -55,11 +55,14 @@ struct Comparison {
 }
 
 impl<C: 'static> Program<'_, C> {
-    /// The rows of its answers, which are right.
+    /// The rows of its answers. Where the code panics, its answer is none.
     pub fn rows(&self) -> Vec<Row> {
         let mut rows = Vec::new();
         for asked in &self.exercise.questions {
-            let code = |input: &[f64]| (asked.answer)(self.code, input);
+            let code = |input: &[f64]| {
+                let answer = || (asked.answer)(self.code, input);
+                catch_unwind(AssertUnwindSafe(answer)).unwrap_or_default()
+            };
             rows.push(Row::new(&asked.question, &code));
         }
         rows

@@ -6,7 +6,7 @@ use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::{CORPUS, MARKED, Row, WORDS_MARK, print_answers};
+use exercise::{CORPUS, MARK, MARKED, PRINTED, ROWS, Record, Row, WORDS_MARK, print_answers};
 
 use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
@@ -14,9 +14,6 @@ use super::exercise::Exercise;
 use super::folder::StageFolder;
 use super::program::{Program, Reader};
 use super::{Missing, take_missing};
-
-/// With this variable in the environment, the program prints its answers for a grader.
-const PRINTED: &str = "EXERCISE_PRINTED";
 
 /// Runs the examples of a student's file, asks its code, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
@@ -61,7 +58,8 @@ pub fn judge<C: 'static>(
             return ExitCode::FAILURE;
         }
     };
-    let is_printed = env::var_os(PRINTED).is_some();
+    let printed = env::var_os(PRINTED);
+    let is_printed = printed.is_some();
     let without_answer = record.rows.iter().find(|row| !row.is_recorded());
     if let Some(Row { key, .. }) = without_answer.filter(|_| !is_printed) {
         let stage = folder.stage().name;
@@ -99,6 +97,14 @@ pub fn judge<C: 'static>(
     }
     if is_printed {
         print!("{}", print_answers(&found.given));
+    }
+    if printed.is_some_and(|printed| printed == ROWS) {
+        let rows = program.rows();
+        let record = Record {
+            rows,
+            ..Record::default()
+        };
+        print!("{MARK}{record}");
     }
     ExitCode::from(u8::from(!found.verdict.wrong.is_empty()))
 }
