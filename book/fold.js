@@ -29,6 +29,9 @@ if (location.pathname.endsWith('print.html')) {
 addEventListener('beforeprint', openAll);
 
 const openTarget = () => {
+    if (!location.hash) {
+        return;
+    }
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     let fold = target?.closest('details');
     if (!fold) {

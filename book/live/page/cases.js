@@ -2,27 +2,22 @@
 live.Cases = class {
     constructor(place) {
         const stages = [...new Set(Object.keys(live.locks).map((name) => /^a0[2-7]-(math|rays-cameras|intersections|lighting|shadows-reflection|transforms)/.exec(name)?.[0]).filter(Boolean))];
-        this.stage = live.element('select', { 'aria-label': 'stage' }, ...stages.map((name) => live.element('option', {}, name)));
+        this.stage = live.select('stage', stages.map((name) => [name, name]));
         this.filter = live.element('input', { type: 'search', size: 12, 'aria-label': 'show only cases with this number or text', oninput: () => this.show() });
-        this.status = live.element('output');
-        const compute = live.button('compute', () => this.run().catch(live.complain(this.status)));
-        const stop = live.button('stop', () => live.stop('stopped'));
+        this.run = new live.Run('compute', () => this.compute());
         this.rows = live.element('pre', { className: 'live-rows', tabIndex: 0 });
         this.cases = [];
         this.root = live.element('details', {}, live.element('summary', {}, 'The program’s cases, by number'),
-            live.element('div', { className: 'live-controls' }, this.stage, ' ', compute, ' ', stop, ' only: ', this.filter, ' ', this.status),
+            live.element('div', { className: 'live-controls' }, this.stage, ' only: ', this.filter, ' ', ...this.run.controls),
             this.rows);
         place.append(this.root);
     }
 
-    async run() {
-        this.status.value = 'computing …';
-        const start = performance.now();
-        const { text, cases, held } = await live.ask(`extremes ${this.stage.value}`);
-        const time = (performance.now() - start).toFixed(0);
-        this.status.value = `${held[0]} of ${cases[0]} cases hold; ${time} ms`;
+    async compute() {
+        const { text, cases, held } = await this.run.ask(`extremes ${this.stage.value}`);
         this.cases = text.split('\n\n');
         this.show();
+        return `${held[0]} of ${cases[0]} cases hold; ${live.time(this.run.seconds)}`;
     }
 
     show() {

@@ -2,54 +2,43 @@
 // and of ours over the whole range, and under the knob all digits and a picture.
 live.Extremes = class {
     // Where the powers of ten and the errors lie in the drawing: from below 1 ulp to no answer.
-    static area = { x: [-1.5, 10.8], y: [-1.1, 7.3] };
+    static area = { x: [-1.5, 10.8], y: [-1.1, 7.6] };
     static errors = [-1, 17];
     static none = 6.8;
 
     // Takes the place of the picture that shows recorded errors.
     constructor(image) {
-        this.problem = live.element('select', { 'aria-label': 'problem', onchange: () => this.choose().catch(this.complain) });
-        this.drawn = live.svg('g', {});
-        this.handle = live.svg('circle', { r: 12, class: 'live-handle' });
-        this.svg = live.svg('svg', { viewBox: `0 0 ${live.Pen.width} ${new live.Pen(live.Extremes.area).height}`, role: 'img' }, this.drawn, this.handle);
+        this.problem = live.select('problem', [], () => this.choose().catch(this.complain));
+        this.drawing = new live.Drawing(live.Extremes.area, 'errors in ulp');
+        this.handle = this.drawing.handle({ 'aria-hidden': true }, ([x]) => this.turn(Math.round((x / 10) * this.knob.max)));
         this.knob = live.element('input', { type: 'range', min: 0, oninput: () => this.turn(Number(this.knob.value)) });
         this.at = live.element('output');
-        this.question = live.element('div', { className: 'live-question' });
+        this.question = live.element('div', { className: 'live-asked' });
         this.digits = live.element('dl', { className: 'live-digits' });
         this.canvas = live.element('canvas', { width: 248, height: 120, role: 'img' });
         this.shown = live.element('figcaption');
+        this.poster = live.poster(image.src);
         const beside = live.element('div', { className: 'live-beside' }, this.canvas, live.element('div', { className: 'live-both' }, live.element('span', {}, 'protocol’s'), live.element('span', {}, 'ours')), this.shown);
         const hint = 'The band is what the problem allows: its condition times half an ulp. Higher up, a formula loses digits that it could have kept. At the line “half” about eight of sixteen digits are wrong; at “none” there is no answer.';
         this.root = live.panel('Where does it break?', hint,
-            live.element('div', { className: 'live-controls' }, live.element('label', {}, 'turn ', this.problem)), this.question,
-            live.element('div', { className: 'live-drawings' }, this.svg, beside),
+            live.element('div', { className: 'live-controls' }, this.problem), this.question,
+            live.element('div', { className: 'live-drawings' }, this.drawing.svg, beside, this.poster),
             live.element('div', { className: 'live-controls live-turned' }, this.knob, this.at), this.digits);
         this.complain = ({ message }) => (this.root.dataset.error = message);
         this.move = live.newest((power) => this.show(power), this.complain);
-        live.drag(this.handle, (event) => {
-            const { x, width } = this.svg.getBoundingClientRect();
-            const [place] = new live.Pen(live.Extremes.area).from([((event.clientX - x) * live.Pen.width) / width, 0]);
-            this.turn(Math.round((place / 10) * this.knob.max));
-        });
         live.caption(image).after(this.root);
         live.stillOf(image);
         live.caption(image).classList.add('live-still');
         this.cases = new live.Cases(this.root);
-        // The module is loaded when the reader is about to see the figure.
-        const seen = new IntersectionObserver(([{ isIntersecting }]) => {
-            if (isIntersecting) {
-                seen.disconnect();
-                this.ready = this.start().catch(this.complain);
-            }
-        }, { rootMargin: '200px' });
-        seen.observe(this.root);
+        live.seen(this.root, () => (this.ready ??= this.start().catch(this.complain)));
     }
 
     async start() {
         const { text, ...lists } = await live.ask('sweeps');
+        const ranges = live.rows(lists, 'first', 'last', 'harmless', 'step');
         this.problems = text.split('\n').map((line, index) => {
             const [name, parameter, computes, shows, stage, cases, exercise] = line.split('\t');
-            const [first, last, harmless, step] = ['first', 'last', 'harmless', 'step'].map((list) => lists[list][index]);
+            const { first, last, harmless, step } = ranges[index];
             return { name, parameter, computes, shows, stage, cases, exercise, first, last, harmless, step: last < first ? -step : step };
         });
         this.problem.append(...this.problems.map(({ parameter }, value) => live.element('option', { value }, parameter)));
@@ -74,8 +63,8 @@ live.Extremes = class {
         this.knob.setAttribute('aria-label', now.parameter);
         this.cases.stage.value = now.stage;
         this.cases.filter.value = now.cases;
-        now.asked ??= 'yes';
-        this.ask();
+        now.question ??= this.ask(now);
+        this.question.replaceChildren(now.question);
         await this.turn(Math.round((now.harmless - now.first) / now.step));
     }
 
@@ -97,24 +86,13 @@ live.Extremes = class {
     }
 
     // A prediction first, by the knob; then the protocol's curve and digits show.
-    ask() {
-        const { now } = this;
-        const verdict = live.element('output');
-        const answer = (guess) => {
-            now.asked = 'no';
-            verdict.value = this.verdict(guess);
-            buttons.forEach((button) => (button.disabled = true));
+    ask(problem) {
+        const text = `At which power of ten has the protocol’s formula lost half of its digits? It computes ${problem.computes}. Turn the knob to your guess.`;
+        return live.question(text, ['it breaks here', 'it never breaks'], (never) => {
+            problem.isKnown = true;
             this.turn(Number(this.knob.value));
-        };
-        const buttons = [
-            live.button('it breaks here', () => answer(this.power(this.knob.value))),
-            live.button('it never breaks', () => answer(undefined)),
-        ];
-        this.question.replaceChildren(`At which power of ten has the protocol’s formula lost half of its digits? It computes ${now.computes}. Turn the knob to your guess. `, ...buttons, verdict);
-        if (now.asked === 'no') {
-            answer();
-            verdict.value = this.verdict();
-        }
+            return this.verdict(never ? Infinity : this.power(this.knob.value));
+        });
     }
 
     verdict(guess) {
@@ -122,8 +100,7 @@ live.Extremes = class {
         if (breaks === undefined) {
             return 'It never does. The problem itself loses the digits: the band rises with the curves.';
         }
-        const off = guess === undefined ? Infinity : Math.abs(guess - breaks);
-        const start = off <= 0.5 ? 'Yes, nearly: at' : 'At';
+        const start = Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly: at' : 'At';
         const [ours, allowed] = ['ours', 'allowed'].map((list) => this.errors[list][Math.round((breaks - this.now.first) / this.now.step)]);
         const we = ours > this.errors.broken[0] ? 'So has ours, by the same roundings' : `Ours ${live.Extremes.ulps(ours)} there`;
         return `${start} 10 to the ${breaks}. ${we}; the problem alone allows ${live.Extremes.count(allowed)}.`;
@@ -145,11 +122,10 @@ live.Extremes = class {
     async show(power) {
         const { now } = this;
         const answer = await live.ask(`sweep ${now.name}`, [power]);
-        const isAsked = now.asked === 'yes';
-        this.root.toggleAttribute('data-asked', isAsked);
+        this.root.toggleAttribute('data-asked', !now.isKnown);
         this.at.value = `${now.parameter}: ${answer.value[0]}`;
         this.knob.setAttribute('aria-valuetext', this.at.value);
-        this.draw(power, isAsked);
+        this.draw(power);
         live.paint(this.canvas, answer);
         this.canvas.setAttribute('aria-label', `${now.shows} Left by the protocol’s formula, right by ours.`);
         this.shown.textContent = now.shows;
@@ -161,57 +137,48 @@ live.Extremes = class {
         const error = (index) => live.Extremes.ulps(answer.errors[index]);
         this.digits.replaceChildren(
             ...row('exact', exact, exact.length, `the problem allows ${live.Extremes.count(answer.allowed[0])}`),
-            ...(isAsked ? row('protocol', '', 0, 'after your guess') : row('protocol', theirs, answer.right[0], error(0))),
+            ...(now.isKnown ? row('protocol', theirs, answer.right[0], error(0)) : row('protocol', '', 0, 'after your guess')),
             ...row('ours', ours, answer.right[1], error(1)));
+        this.poster.remove();
         this.root.dataset.drawn = '';
     }
 
-    draw(power, isAsked) {
+    draw(power) {
         const { area, errors: [least, most], none } = live.Extremes;
         const { now, errors } = this;
         const pen = new live.Pen(area);
         const top = none - 0.5;
         const x = (at) => (10 * (at - now.first)) / (now.last - now.first);
         const y = (error) => (Number.isFinite(error) ? ((Math.min(Math.max(Math.log10(error), least), most) - least) / (most - least)) * top : none);
-        const places = (list) => [...list].map((error, index) => [x(errors.powers[index]), y(error)]);
-        const level = (error, words) => {
-            pen.line([0, y(error)], [10, y(error)], 'thin');
-            pen.text([-0.15, y(error) - 0.42], words, '', 'end');
-        };
+        const places = (list) => list.map((error, index) => [x(errors.powers[index]), y(error)]);
+        const [at] = [Math.round((power - now.first) / now.step)];
         pen.path([[0, 0], ...places(errors.allowed), [10, 0]], 'pale a', true);
-        level(1, '1 ulp');
-        level(1e4, '10⁴');
-        level(errors.broken[0], 'half');
-        level(1e12, '10¹²');
-        level(1e16, '10¹⁶');
-        level(Infinity, 'none');
+        const levels = { '1 ulp': 1, '10⁴': 1e4, half: errors.broken[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity };
+        pen.grid(1, Object.entries(levels).map(([words, error]) => [y(error), words]));
         const steps = Math.abs(now.last - now.first) > 50 ? 100 : 4;
-        for (let at = Math.ceil(Math.min(now.first, now.last) / steps) * steps; at <= Math.max(now.first, now.last); at += steps) {
-            pen.line([x(at), 0], [x(at), -0.12], 'ink');
-            pen.text([x(at), -1.05], live.Extremes.ten(at), '', 'middle');
+        const [low, high] = [now.first, now.last].toSorted((a, b) => a - b).map((end) => end / steps);
+        for (let tick = Math.ceil(low); tick <= high; tick += 1) {
+            pen.line([x(tick * steps), 0], [x(tick * steps), -0.12], 'ink');
+            pen.text([x(tick * steps), -1.05], live.Extremes.ten(tick * steps), '', 'middle');
         }
         if (errors.yours) {
             pen.path(places(errors.yours), 'ink wide');
             pen.text([5, none - 1.6], 'yours', '', 'middle');
         }
-        if (!isAsked) {
-            pen.path(places(errors.protocol), 'b');
+        const curve = (list, kind, words, height) => {
+            pen.path(places(list), kind);
+            pen.dot([x(power), y(list[at])], kind, 6);
+            pen.text([0.2, height], words, kind);
+        };
+        if (now.isKnown) {
+            curve(errors.protocol, 'b', 'protocol', none - 1.6);
         }
-        pen.path(places(errors.ours), 'c');
-        pen.line([x(power), 0], [x(power), none], 'ink');
-        const [at] = [Math.round((power - now.first) / now.step)];
-        pen.dot([x(power), y(errors.ours[at])], 'c', 6);
-        if (!isAsked) {
-            pen.dot([x(power), y(errors.protocol[at])], 'b', 6);
-            pen.text([0.2, none - 1.6], 'protocol', 'b');
-        }
-        pen.text([0.2, none - 2.2], 'ours', 'c');
+        curve(errors.ours, 'c', 'ours', none - 2.2);
         pen.text([0.2, none - 2.8], 'allowed', 'a');
-        this.drawn.innerHTML = pen.shapes.join('');
-        const [cx, cy] = pen.to([x(power), 0]);
-        this.handle.setAttribute('cx', cx);
-        this.handle.setAttribute('cy', cy);
-        this.svg.setAttribute('aria-label', `Errors in ulp against the ${now.parameter}; here ours ${live.Extremes.ulps(errors.ours[at])}`);
+        pen.line([x(power), 0], [x(power), none], 'ink');
+        this.drawing.show(pen);
+        this.drawing.place(this.handle, [x(power), 0]);
+        this.drawing.svg.setAttribute('aria-label', `Errors in ulp against the ${now.parameter}; here ours ${live.Extremes.ulps(errors.ours[at])}`);
     }
 
     // A power of ten.

@@ -22,63 +22,6 @@
 // The numbers come from the module alone: the code of the stages.
 live.figures = {};
 
-// Collects the shapes of a drawing, in the coordinates of the figure.
-live.Pen = class {
-    static width = 440;
-
-    constructor({ x, y }) {
-        this.area = { x, y };
-        this.scale = live.Pen.width / (x[1] - x[0]);
-        this.height = (y[1] - y[0]) * this.scale;
-        this.shapes = [];
-    }
-
-    to([x, y]) {
-        return [(x - this.area.x[0]) * this.scale, (this.area.y[1] - y) * this.scale];
-    }
-
-    from([x, y]) {
-        return [x / this.scale + this.area.x[0], this.area.y[1] - y / this.scale];
-    }
-
-    path(points, kind, closed = false) {
-        const places = points.map((point) => this.to(point).map((x) => x.toFixed(2)).join(' '));
-        this.shapes.push(`<path class="${kind}" d="M${places.join('L')}${closed ? 'Z' : ''}"/>`);
-    }
-
-    line(from, to, kind) {
-        this.path([from, to], kind);
-    }
-
-    // An arrow of a fixed head, so that short vectors are seen, and its name at the tip.
-    arrow(from, to, kind, name = '', anchor = 'start') {
-        const [x, y] = [to[0] - from[0], to[1] - from[1]];
-        const length = Math.hypot(x, y);
-        if (length > 0) {
-            this.line(from, to, kind);
-            const head = 9 / this.scale / length;
-            const side = (s) => [to[0] - head * (x + s * y * 0.5), to[1] - head * (y - s * x * 0.5)];
-            this.path([side(1), to, side(-1)], kind);
-        }
-        this.text(to, name, kind.replace(/ink|thin/, ''), anchor);
-    }
-
-    circle(centre, radius, kind) {
-        const [x, y] = this.to(centre);
-        this.shapes.push(`<circle class="${kind}" cx="${x}" cy="${y}" r="${radius * this.scale}"/>`);
-    }
-
-    dot(at, kind, radius = 4) {
-        this.circle(at, radius / this.scale, `${kind} live-dot`);
-    }
-
-    text(at, words, kind = '', anchor = 'start') {
-        const [x, y] = this.to(at);
-        const place = `text-anchor="${anchor}" x="${x + (anchor === 'start' ? 9 : 0)}" y="${y - 11}"`;
-        this.shapes.push(words && `<text class="${kind}" ${place}>${words}</text>`);
-    }
-};
-
 live.Figure = class {
     constructor(name, figure, after, together = []) {
         Object.assign(this, { name, figure, together });
@@ -89,13 +32,12 @@ live.Figure = class {
         this.root.toggleAttribute('data-asked', Boolean(figure.question));
         after.after(this.root);
         this.isStale = true;
-        // The module is loaded when the reader is about to see a figure.
-        new IntersectionObserver(([entry]) => {
-            this.isSeen = entry.isIntersecting;
-            if (this.isSeen && this.isStale) {
+        live.seen(this.root, (isSeen) => {
+            this.isSeen = isSeen;
+            if (isSeen && this.isStale) {
                 this.change();
             }
-        }, { rootMargin: '100%' }).observe(this.root);
+        });
     }
 
     // A prediction first: the numbers show once the reader has chosen.
@@ -104,26 +46,18 @@ live.Figure = class {
         if (!question) {
             return '';
         }
-        const verdict = live.element('output');
-        const buttons = question.choices.map((choice, index) => {
-            const choose = () => {
-                delete this.root.dataset.asked;
-                buttons.forEach((button) => (button.disabled = true));
-                buttons[index].classList.add('live-chosen');
-                verdict.value = `${index === question.right ? 'Yes:' : 'No:'} ${question.because}`;
-            };
-            return live.button(choice, choose);
+        return live.question(question.text, question.choices, (index) => {
+            delete this.root.dataset.asked;
+            return `${index === question.right ? 'Yes:' : 'No:'} ${question.because}`;
         });
-        return live.element('div', { className: 'live-question' }, question.text, ' ', ...buttons, verdict);
     }
 
     makeDrawings() {
         const { area, picture, over } = this.figure;
         const drawings = live.element('div', { className: over ? 'live-drawings live-over' : 'live-drawings' });
         this.area = area;
-        this.drawn = live.svg('g', {});
-        const box = `0 0 ${live.Pen.width} ${new live.Pen(area).height}`;
-        this.svg = live.svg('svg', { viewBox: box, role: 'group', 'aria-label': this.figure.title }, this.drawn);
+        this.drawing = new live.Drawing(area, this.figure.title);
+        this.svg = this.drawing.svg;
         drawings.append(this.svg);
         if ('yaw' in this.figure.state) {
             this.turnBy(this.svg);
@@ -138,23 +72,15 @@ live.Figure = class {
 
     addHandle(handle) {
         const [least, most] = this.area.x;
-        const circle = live.svg('circle', {
-            r: 12,
-            class: 'live-handle',
+        const move = (x, y) => this.set(handle.move(this.state, x, y));
+        const circle = this.drawing.handle({
             tabindex: 0,
             role: 'slider',
             'aria-label': `${handle.label}: arrow keys, with Shift in larger steps; Home and End`,
             'aria-valuemin': least,
             'aria-valuemax': most,
             'aria-valuenow': least,
-        });
-        const move = (x, y) => this.set(handle.move(this.state, x, y));
-        live.drag(circle, (event) => {
-            const box = this.svg.getBoundingClientRect();
-            const shrunk = live.Pen.width / box.width;
-            const place = [(event.clientX - box.left) * shrunk, (event.clientY - box.top) * shrunk];
-            move(...this.inside(new live.Pen(this.area).from(place)));
-        });
+        }, (place) => move(...this.inside(place)));
         const step = (most - least) / 60;
         const height = () => handle.at(this.state)[1];
         live.keys(circle, {
@@ -165,7 +91,6 @@ live.Figure = class {
             Home: () => move(least, height()),
             End: () => move(most, height()),
         });
-        this.svg.append(circle);
         return { ...handle, circle };
     }
 
@@ -250,10 +175,10 @@ live.Figure = class {
         }
         const pen = new live.Pen(this.area);
         this.figure.draw(pen, this.state, answer);
-        this.drawn.innerHTML = pen.shapes.join('');
+        this.drawing.show(pen);
         for (const { circle, at } of this.handles) {
             const place = at(this.state);
-            circle.setAttribute('transform', `translate(${pen.to(place)})`);
+            this.drawing.place(circle, place);
             circle.setAttribute('aria-valuenow', live.show(place[0]));
             circle.setAttribute('aria-valuetext', this.describe(place));
         }

@@ -65,11 +65,16 @@ live.start = async (file = 'live-module.js') => {
 
 // The module in a worker of its own.
 live.Module = class {
-    // The answer to a request with numbers.
-    async ask(request, numbers = []) {
+    // The answer to a message.
+    async post(message) {
         this.started ??= live.start();
         const post = await this.started;
-        return post({ request, numbers });
+        return post(message);
+    }
+
+    // The answer to a request with numbers.
+    ask(request, numbers = []) {
+        return this.post({ request, numbers });
     }
 
     // Stops the module if it computes; the next request starts it anew.
@@ -109,8 +114,16 @@ live.newest = (work, complain) => {
     return start;
 };
 
-// Shows errors in an output.
-live.complain = (output) => ({ message }) => (output.value = message);
+// Shows errors in an element.
+live.complain = (element) => ({ message }) => (element.textContent = message);
+
+// The rows of an answer whose lists are columns.
+live.rows = (answer, ...names) =>
+    answer[names[0]].map((_, row) => Object.fromEntries(names.map((name) => [name, answer[name][row]])));
+
+// Says when an element is about to be seen, and when it no longer is. The module is loaded for one that is.
+live.seen = (element, say) =>
+    new IntersectionObserver(([{ isIntersecting }]) => say(isIntersecting), { rootMargin: '100%' }).observe(element);
 
 // An HTML element with attributes and children.
 live.element = (name, attributes = {}, ...children) => {
@@ -136,6 +149,27 @@ live.panel = (title, hint, ...children) =>
 
 // A button that acts on a click.
 live.button = (words, onclick) => live.element('button', { type: 'button', onclick }, words);
+
+// A list to choose from, each choice with its value and its words.
+live.select = (label, choices, onchange) =>
+    live.element('select', { 'aria-label': label, onchange }, ...choices.map(([value, words]) => live.element('option', { value }, words)));
+
+// A question with a button for each choice. `answer` gets the number of the choice; what it says ends the question.
+live.question = (text, choices, answer) => {
+    const verdict = live.element('output');
+    const buttons = choices.map((choice, chosen) => live.button(choice, () => {
+        verdict.value = answer(chosen) ?? '';
+        buttons.forEach((button, index) => {
+            button.disabled = verdict.value !== '';
+            button.classList.toggle('live-chosen', index === chosen);
+        });
+    }));
+    return live.element('div', { className: 'live-question' }, text, ' ', ...buttons, verdict);
+};
+
+// A recorded picture, which stands over a drawing until the module has come.
+live.poster = (src) =>
+    live.element('span', { className: 'live-poster' }, live.element('img', { src, alt: '' }), live.element('em', {}, 'loading …'));
 
 // A slider, or a list of choices, with its label. `show` gives it a value, and another text.
 live.control = (label, { choices, ...range }, change) => {

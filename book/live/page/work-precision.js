@@ -17,20 +17,17 @@ live.WorkPrecision = class {
     constructor(look, wish) {
         this.look = look;
         this.wish = wish;
-        this.drawn = live.svg('g', {});
+        this.area = { x: [0, 1], y: [0, 1] };
+        this.drawing = new live.Drawing(this.area, 'error against time');
+        this.svg = this.drawing.svg;
         this.points = live.svg('g', { class: 'live-points' });
-        this.line = live.svg('line', { class: 'live-wish' });
-        this.words = live.svg('text', { 'text-anchor': 'end' });
-        this.handle = live.svg('circle', {
-            r: 12, class: 'live-handle', tabindex: 0, role: 'slider', 'aria-orientation': 'vertical',
+        this.line = live.svg('path', { class: 'live-wish', d: `M0 0H${live.Pen.width}` });
+        this.words = live.svg('text', { 'text-anchor': 'end', y: -5 });
+        this.svg.append(this.line, this.points, this.words);
+        this.handle = this.drawing.handle({
+            tabindex: 0, role: 'slider', 'aria-orientation': 'vertical',
             'aria-label': 'the error I want: arrow keys, with Shift in larger steps',
-        });
-        this.svg = live.svg('svg', { role: 'group', 'aria-label': 'error against time' });
-        this.svg.append(this.drawn, this.line, this.points, this.words, this.handle);
-        live.drag(this.handle, (event) => {
-            const box = this.svg.getBoundingClientRect();
-            this.want(this.pen.from([0, (event.clientY - box.top) * (live.Pen.width / box.width)])[1]);
-        });
+        }, ([, power]) => this.want(power));
         live.keys(this.handle, live.arrows((right, up) => this.want(this.wanted + 0.02 * (right + up))));
     }
 
@@ -38,13 +35,15 @@ live.WorkPrecision = class {
     want(power) {
         const [low, high] = this.area.y;
         this.wanted = Math.min(Math.max(power, low), high);
-        const y = this.pen.to([0, this.wanted])[1];
         const error = 10 ** this.wanted;
-        const set = (shape, attributes) => Object.entries(attributes).forEach(([name, value]) => shape.setAttribute(name, value));
-        set(this.line, { x1: 0, x2: live.Pen.width, y1: y, y2: y });
-        set(this.words, { x: live.Pen.width - 46, y: y - 5 });
+        const [left, right] = this.area.x;
+        const { scale } = this.drawing.pen;
+        this.drawing.place(this.line, [left, this.wanted]);
+        this.drawing.place(this.words, [right - 46 / scale, this.wanted]);
+        this.drawing.place(this.handle, [right - 26 / scale, this.wanted]);
         this.words.textContent = `I want ${live.digits(error)}`;
-        set(this.handle, { cx: live.Pen.width - 26, cy: y, 'aria-valuemin': 10 ** low, 'aria-valuemax': 10 ** high, 'aria-valuenow': error, 'aria-valuetext': live.digits(error) });
+        const said = { 'aria-valuemin': 10 ** low, 'aria-valuemax': 10 ** high, 'aria-valuenow': error, 'aria-valuetext': live.digits(error) };
+        Object.entries(said).forEach(([name, value]) => this.handle.setAttribute(name, value));
         this.wish(error);
     }
 
@@ -56,20 +55,21 @@ live.WorkPrecision = class {
             x: live.WorkPrecision.range(all.map(({ seconds }) => seconds), 2.6, [1e-3, 1]),
             y: live.WorkPrecision.range([...all.map(({ error }) => error), 1 / 510], 1.6, [1e-4, 0.1]),
         };
-        this.pen = new live.Pen(this.area);
-        this.svg.setAttribute('viewBox', `0 0 ${live.Pen.width} ${this.pen.height}`);
-        this.drawAxes();
+        const pen = new live.Pen(this.area);
+        const powers = ([low, high]) => Array.from({ length: Math.floor(high) - Math.ceil(low) + 1 }, (_, index) => Math.ceil(low) + index);
+        pen.grid(0, powers(this.area.x).map((power) => [power, power < this.area.x[1] - 0.4 && live.time(10 ** power)]));
+        pen.grid(1, powers(this.area.y).map((power) => [power, `error ${10 ** power}`]));
         const { methods } = live.WorkPrecision;
         for (const [index, method] of methods.entries()) {
             const of = (list) => list.filter((point) => point.method === method && point.error > 0).map(live.WorkPrecision.place);
             for (const [list, kind] of [[recorded, 'recorded'], [points, '']]) {
                 const places = of(list);
                 if (places.length) {
-                    this.pen.path(places, `m${index} ${kind}`);
+                    pen.path(places, `m${index} ${kind}`);
                 }
             }
         }
-        this.drawn.innerHTML = this.pen.shapes.join('');
+        this.drawing.show(pen);
         const focused = [...this.points.children].indexOf(document.activeElement);
         this.points.replaceChildren(...points.map((point, index) => this.mark(point, index)));
         const first = this.points.children[Math.max(focused, 0)];
@@ -94,26 +94,15 @@ live.WorkPrecision = class {
         return [Math.log10(seconds), Math.log10(error)];
     }
 
-    drawAxes() {
-        const { pen, area: { x, y } } = this;
-        for (let power = Math.ceil(x[0]); power <= x[1]; power += 1) {
-            pen.line([power, y[0]], [power, y[1]], 'grid');
-            if (power < x[1] - 0.4) {
-                pen.text([power, y[0]], live.time(10 ** power), 'axis');
-            }
-        }
-        for (let power = Math.ceil(y[0]); power <= y[1]; power += 1) {
-            pen.line([x[0], power], [x[1], power], 'grid');
-            pen.text([x[0], power], `error ${10 ** power}`, 'axis');
-        }
-    }
-
     // A measured point with its intervals. It is larger on the front.
     mark(point, index) {
         const method = live.WorkPrecision.methods.indexOf(point.method);
-        const [x, y] = this.pen.to(live.WorkPrecision.place({ ...point, error: point.error || 10 ** this.area.y[0] }));
-        const across = [point.secondsLow, point.secondsHigh].map((end) => this.pen.to([Math.log10(end), 0])[0] - x);
-        const along = [point.errorHigh, point.errorLow].map((end) => this.pen.to([0, Math.log10(Math.max(end, 10 ** this.area.y[0]))])[1] - y);
+        const { pen } = this.drawing;
+        const least = 10 ** this.area.y[0];
+        const at = ([seconds, error]) => pen.to([Math.log10(seconds), Math.log10(Math.max(error, least))]);
+        const [x, y] = at([point.seconds, point.error]);
+        const across = [point.seconds_low, point.seconds_high].map((end) => at([end, 1])[0] - x);
+        const along = [point.error_high, point.error_low].map((end) => at([1, end])[1] - y);
         const shapes = [
             live.svg('circle', { r: 12, class: 'live-reach' }),
             live.svg('path', { class: `m${method}`, d: `M${across[0]} 0H${across[1]}M0 ${along[0]}V${along[1]}` }),
@@ -130,7 +119,7 @@ live.WorkPrecision = class {
             next.setAttribute('tabindex', 0);
             next.focus();
         };
-        live.keys(mark, { ArrowRight: () => go(1), ArrowDown: () => go(1), ArrowLeft: () => go(-1), ArrowUp: () => go(-1) });
+        live.keys(mark, live.arrows((right, up) => go(Math.sign(right - up))));
         return mark;
     }
 };

@@ -136,6 +136,13 @@ export class Chromium {
         await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key });
     }
 
+    // Return on an element that has the focus.
+    async enter(element) {
+        await this.value(`${element}.focus()`);
+        await this.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'Enter', text: '\r', windowsVirtualKeyCode: 13 });
+        await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key: 'Enter', windowsVirtualKeyCode: 13 });
+    }
+
     // An element as PNG, in base64. Only for one that is higher than the window the whole page is painted.
     async picture(element) {
         await this.middle(element);

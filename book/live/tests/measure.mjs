@@ -32,37 +32,34 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
     await open(page);
     const figure = 'live.measure';
     const value = (words) => chromium.value(`${figure}.${words}`);
-    const press = async (element, key = 'Enter', text = '\r', windowsVirtualKeyCode = 13) => {
-        await value(`${element}.focus()`);
-        await chromium.send('Input.dispatchKeyEvent', { type: 'keyDown', key, text, windowsVirtualKeyCode });
-        await chromium.send('Input.dispatchKeyEvent', { type: 'keyUp', key, windowsVirtualKeyCode });
-    };
-    expect(await value(`root.querySelectorAll('.recorded').length === 4 && ${figure}.start.disabled`), `${page}: no recorded curves, or no guess before a measurement`);
+    const press = (element) => chromium.enter(`${figure}.${element}`);
+    expect(await value(`root.querySelectorAll('.recorded').length === 4 && ${figure}.run.start.disabled`), `${page}: no recorded curves, or no guess before a measurement`);
     await shot('measure-recorded', `${figure}.root`);
     for (const [subject, names] of settings) {
         await value(`subject.value = '${subject}'; ${figure}.choose()`);
         await press(`question.querySelector('button')`);
-        await press('start');
+        await press('run.start');
         // Stopped at once, and started again.
-        await chromium.until(`${figure}.root.dataset.state === 'measuring'`);
-        await press('halt');
-        expect((await value('root.dataset.state')) !== 'measuring', `${subject}: is not stopped`);
-        await press('start');
+        await chromium.until(`!${figure}.run.halt.disabled`);
+        await press('run.halt');
+        await chromium.until(`${figure}.run.halt.disabled && ${figure}.run.status.value === 'stopped'`);
+        await press('run.start');
         await chromium.until(`${figure}.rounds > 0`);
-        await press('halt');
+        await press('run.halt');
+        await chromium.until(`${figure}.run.halt.disabled`);
         const rows = await reported(run, stage, names);
         const points = await value('points');
         const compared = points.filter(({ method }) => method !== 'one in the middle');
         expect(compared.length === Object.keys(rows).length, `${subject}: measures ${compared.length} points`);
-        for (const { method, parameter, work, error, errorLow, errorHigh } of compared) {
+        for (const { method, parameter, work, error, error_low, error_high } of compared) {
             const row = rows[`${method} ${parameter}`];
-            const [low, high] = [errorLow, errorHigh].map((end) => Number(end.toExponential(3)));
+            const [low, high] = [error_low, error_high].map((end) => Number(end.toExponential(3)));
             expect(row && work === row.work && error === row.error && low === row.low && high === row.high,
                 `${subject}, ${method} at ${parameter}: ${[work, error, low, high]}, the report says ${JSON.stringify(row)}`);
         }
         const middle = points.find(({ method }) => method === 'one in the middle');
         expect(middle.error === rows['regular 1'].error, `${subject}: one sample in the middle errs by ${middle.error}`);
-        expect(points.every(({ seconds, secondsLow, secondsHigh }) => secondsLow <= seconds && seconds <= secondsHigh && seconds > 0), `${subject}: times lie outside of their intervals`);
+        expect(points.every(({ seconds, seconds_low, seconds_high }) => seconds_low <= seconds && seconds <= seconds_high && seconds > 0), `${subject}: times lie outside of their intervals`);
         // The line, and a point with its picture.
         const verdict = () => value('verdict.textContent');
         await chromium.until(`/^An error of 0/.test(${figure}.verdict.textContent)`);
@@ -84,9 +81,9 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
     await chromium.value(`location.hash = '#scene=' + encodeURIComponent('[camera]\\neye = [0, 0, 5]\\n[[light]]\\nkind = "sun"')`);
     await chromium.until(`${figure}.subject.value === 'file'`);
     await press(`question.querySelector('button')`);
-    await press('start');
-    await chromium.until(`${figure}.root.dataset.state === 'measured'`);
-    expect((await value('status.value')).length > 0, 'a wrong scene has no message');
+    await press('run.start');
+    await chromium.until(`${figure}.run.halt.disabled && ${figure}.run.status.value`);
+    expect(/^\d+:\d+: /.test(await value('run.status.value')), `a wrong scene is answered by ${await value('run.status.value')}`);
     await chromium.resize(390, 844);
     await open(page);
     const wide = await value('root.scrollWidth - ' + `${figure}.root.clientWidth`);

@@ -1,0 +1,43 @@
+//! A measurement of the page against what follows from equal times.
+
+use live::call;
+
+use super::ask;
+
+/// A page measures in turns as a report does. If all runs take the same time, the most exact point alone is on
+/// the front; and one sample in the middle is the regular grid of one.
+#[test]
+fn a_measurement_on_the_page_takes_turns_as_a_report_does() {
+    let methods = "regular,one in the middle";
+    let begun = ask(
+        &format!("measure begin {methods}|samples-curved-edge"),
+        &[1e-3],
+    );
+    assert_eq!(begun.get("prepared"), [1.0]);
+    // The first time of each point says that one run is long enough; then come nine rounds of seven points.
+    for turn in 1..=7 + 63 {
+        ask("measure run", &[]);
+        let answer = ask("measure took", &[2e-3]);
+        assert_eq!(answer.get("measured"), [f64::from(u8::from(turn == 70))]);
+        if turn == 70 {
+            assert_eq!(answer.get("seconds"), [2e-3; 7]);
+            assert_eq!(
+                answer.get("parameter"),
+                [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 1.0]
+            );
+            // All take the same time, so only the most exact one is not beaten.
+            assert_eq!(answer.get("front"), [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+            let errors = answer.get("error");
+            assert_eq!(errors[0].to_bits(), errors[6].to_bits());
+        }
+    }
+    let reach = ask("measure soonest", &[0.1]);
+    assert_eq!(
+        (reach.get("curve"), reach.get("ties")),
+        (&[0.0][..], &[1.0][..])
+    );
+    assert!((1.0..4.0).contains(&reach.get("parameter")[0]));
+    let picture = ask("measure picture", &[0.0, 5.0]);
+    assert_eq!(picture.get("size"), [128.0, 64.0]);
+    assert!(call("measure picture", &[2.0, 0.0]).is_err());
+}
