@@ -8,7 +8,7 @@ live.Cases = class {
         this.rows = live.element('pre', { className: 'live-rows', tabIndex: 0 });
         this.cases = [];
         this.root = live.element('details', {}, live.element('summary', {}, 'The program’s cases, by number'),
-            live.element('div', { className: 'live-controls' }, this.stage, ' only: ', this.filter, ' ', ...this.run.controls),
+            live.div('live-controls', this.stage, ' only: ', this.filter, ' ', ...this.run.controls),
             this.rows);
         place.append(this.root);
     }

@@ -13,16 +13,16 @@ live.Editor = class {
         this.dependents = new live.Dependents(this);
         this.influences = new live.Influences(this);
         this.light.onchange = () => this.dependents.hide();
-        const controls = live.element('div', { className: 'live-controls' },
+        const controls = live.div('live-controls',
             live.element('label', {}, this.light, ' light up the pixels of the cursor’s line'),
             live.button('which number makes a pixel?', () => this.ask()), ' ', this.measured);
-        const written = live.element('div', { className: 'live-text' }, this.marks.element, this.text, this.mistake);
+        const written = live.div('live-text', this.marks.element, this.text, this.mistake);
         const [pre, paragraph] = [listing.closest('pre'), image.closest('p')];
-        const left = live.element('div', {}, written, this.said, controls, pre.nextElementSibling);
-        const right = live.element('div', {}, paragraph, live.caption(image));
+        const left = live.div('', written, this.said, controls, pre.nextElementSibling);
+        const right = live.div('', paragraph, live.caption(image));
         this.omitted = live.element('a', {}, 'what does it leave out?');
         controls.append(' ', this.omitted);
-        pre.replaceWith(live.element('div', { className: 'live-editor' }, left, right));
+        pre.replaceWith(live.div('live-editor', left, right));
         // A click on a pixel, or Enter in the picture, asks for its numbers.
         this.picture.tapped = (...pixel) => this.influences.open(...pixel);
         live.keys(this.picture.frame, { Enter: () => this.ask() });

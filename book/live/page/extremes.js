@@ -2,7 +2,7 @@
 // and of ours over the whole range, and under the knob all digits and a picture.
 live.Extremes = class {
     // Where the powers of ten and the errors lie in the drawing: from below 1 ulp to no answer.
-    static area = { x: [-1.5, 10.8], y: [-1.1, 7.6] };
+    static area = { x: [-1.5, 11.2], y: [-1.1, 7.6] };
     static errors = [-1, 17];
     static none = 6.8;
 
@@ -13,18 +13,18 @@ live.Extremes = class {
         this.handle = this.drawing.handle({ 'aria-hidden': true }, ([x]) => this.turn(Math.round((x / 10) * this.knob.max)));
         this.knob = live.element('input', { type: 'range', min: 0, oninput: () => this.turn(Number(this.knob.value)) });
         this.at = live.element('output');
-        this.question = live.element('div', { className: 'live-asked' });
+        this.question = live.div('live-asked');
         this.digits = live.element('dl', { className: 'live-digits' });
         this.canvas = live.element('canvas', { width: 248, height: 120, role: 'img' });
         this.shown = live.element('figcaption');
         this.poster = live.poster(image.src);
-        const beside = live.element('div', { className: 'live-beside' }, this.canvas, live.element('div', { className: 'live-both' }, live.element('span', {}, 'protocol’s'), live.element('span', {}, 'ours')), this.shown);
+        const beside = live.div('live-beside', this.canvas, live.div('live-both', live.element('span', {}, 'protocol’s'), live.element('span', {}, 'ours')), this.shown);
         const hint = 'The band is what the problem allows: its condition times half an ulp. Higher up, a formula loses digits that it could have kept. At the line “half” about eight of sixteen digits are wrong; at “none” there is no answer.';
         this.root = live.panel('Where does it break?', hint,
-            live.element('div', { className: 'live-controls' }, this.problem), this.question,
-            live.element('div', { className: 'live-drawings' }, this.drawing.svg, beside, this.poster),
-            live.element('div', { className: 'live-controls live-turned' }, this.knob, this.at), this.digits);
-        this.complain = ({ message }) => (this.root.dataset.error = message);
+            live.div('live-controls', this.problem), this.question,
+            live.div('live-drawings', this.drawing.svg, beside, this.poster),
+            live.div('live-controls live-turned', this.knob, this.at), this.digits);
+        this.complain = live.failure(this);
         this.move = live.newest((power) => this.show(power), this.complain);
         live.caption(image).after(this.root);
         live.stillOf(image);
@@ -36,11 +36,8 @@ live.Extremes = class {
     async start() {
         const { text, ...lists } = await live.ask('sweeps');
         const ranges = live.rows(lists, 'first', 'last', 'harmless', 'step');
-        this.problems = text.split('\n').map((line, index) => {
-            const [name, parameter, computes, shows, stage, cases, exercise] = line.split('\t');
-            const { first, last, harmless, step } = ranges[index];
-            return { name, parameter, computes, shows, stage, cases, exercise, first, last, harmless, step: last < first ? -step : step };
-        });
+        const words = live.lines(text, 'name', 'parameter', 'computes', 'shows', 'stage', 'cases', 'exercise');
+        this.problems = words.map((problem, index) => ({ ...problem, ...ranges[index] }));
         this.problem.append(...this.problems.map(({ parameter }, value) => live.element('option', { value }, parameter)));
         await this.choose();
     }
@@ -151,16 +148,13 @@ live.Extremes = class {
         const x = (at) => (10 * (at - now.first)) / (now.last - now.first);
         const y = (error) => (Number.isFinite(error) ? ((Math.min(Math.max(Math.log10(error), least), most) - least) / (most - least)) * top : none);
         const places = (list) => list.map((error, index) => [x(errors.powers[index]), y(error)]);
-        const [at] = [Math.round((power - now.first) / now.step)];
+        const at = Math.round((power - now.first) / now.step);
         pen.path([[0, 0], ...places(errors.allowed), [10, 0]], 'pale a', true);
         const levels = { '1 ulp': 1, '10⁴': 1e4, half: errors.broken[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity };
         pen.grid(1, Object.entries(levels).map(([words, error]) => [y(error), words]));
         const steps = Math.abs(now.last - now.first) > 50 ? 100 : 4;
-        const [low, high] = [now.first, now.last].toSorted((a, b) => a - b).map((end) => end / steps);
-        for (let tick = Math.ceil(low); tick <= high; tick += 1) {
-            pen.line([x(tick * steps), 0], [x(tick * steps), -0.12], 'ink');
-            pen.text([x(tick * steps), -1.05], live.Extremes.ten(tick * steps), '', 'middle');
-        }
+        const ticks = errors.powers.filter((tick) => tick % steps === 0);
+        pen.grid(0, ticks.map((tick) => [x(tick), live.Extremes.ten(tick)]));
         if (errors.yours) {
             pen.path(places(errors.yours), 'ink wide');
             pen.text([5, none - 1.6], 'yours', '', 'middle');

@@ -27,7 +27,7 @@ live.Figure = class {
         Object.assign(this, { name, figure, together });
         together.push(this);
         this.state = { ...figure.state };
-        this.change = live.newest(() => this.answer(), ({ message }) => (this.root.dataset.error = message));
+        this.change = live.newest(() => this.answer(), live.failure(this));
         this.root = live.panel(figure.title, figure.hint, this.makeQuestion(), this.makeDrawings(), this.makeSliders(), this.makeValues());
         this.root.toggleAttribute('data-asked', Boolean(figure.question));
         after.after(this.root);
@@ -113,7 +113,7 @@ live.Figure = class {
     }
 
     makeSliders() {
-        const sliders = live.element('div', { className: 'live-controls' });
+        const sliders = live.div('live-controls');
         this.sliders = Object.entries(this.figure.sliders ?? {}).map(([name, { label, ...range }]) => {
             const control = live.control(label, range, (value) => this.set({ [name]: value }));
             sliders.append(control.element);
@@ -123,7 +123,7 @@ live.Figure = class {
     }
 
     makeValues() {
-        const table = live.element('div', { className: 'live-values' });
+        const table = live.div('live-values');
         this.values = Object.entries(this.figure.values ?? {}).map(([name, label]) => {
             const value = live.element('output');
             table.append(live.element('span', {}, `${label} `, value));

@@ -24,7 +24,7 @@ live.Influences = class {
         ];
         const hint = 'The change of the pixel’s linear light for a change of the number by 1, one degree for an angle. At an edge it jumps instead.';
         this.root = live.panel('Which number makes this pixel?', hint,
-            live.element('div', { className: 'live-controls' }, 'column ', this.places[0], ' row ', this.places[1]),
+            live.div('live-controls', 'column ', this.places[0], ' row ', this.places[1]),
             this.list, this.rest, ...buttons);
         this.root.tabIndex = -1;
         live.keys(this.root, { Escape: () => this.close() });
@@ -166,7 +166,7 @@ live.Influences = class {
         control.show(number.value, live.show(number.value));
         const words = live.element('span', {}, live.Influences.words(influence, number));
         this.sliders.push({ index, say: (now) => (words.textContent = live.Influences.words(now, number)) });
-        return live.element('div', { className: 'live-controls' }, control.element, ' ', words);
+        return live.div('live-controls', control.element, ' ', words);
     }
 
     // A slider has moved: another number in the text, another picture, and other changes.

@@ -2,7 +2,6 @@
 // are measured in turns.
 live.LeftOut = class {
     static scenes = ['a05-lighting-phong', 'a06-shadows-reflection-sphere', 'a06-shadows-reflection-aab', 'a07-transforms-box-transformations'];
-    static rounds = 15;
 
     constructor(heading) {
         // The editor's scene, in the link that leads here.
@@ -10,7 +9,7 @@ live.LeftOut = class {
         const own = written ? [[`file\n${decodeURIComponent(written)}`, 'the scene of the editor']] : [];
         this.scene = live.select('scene', [...own, ...live.LeftOut.scenes.map((name) => [name, name])], () => this.open());
         this.engine = live.element('input', { type: 'checkbox', onchange: () => this.open() });
-        this.question = live.element('div', { className: 'live-asked' });
+        this.question = live.div('live-asked');
         this.switches = live.element('ol', { className: 'live-switches' });
         this.canvas = live.element('canvas', { role: 'img', width: 96, height: 72 });
         this.poster = live.poster(`pictures/${live.LeftOut.scenes[0]}.png`);
@@ -19,12 +18,12 @@ live.LeftOut = class {
         this.run = new live.Run('time it, in turns', () => this.compare());
         const hint = 'For a scene of your own, follow the link “what does it leave out?” of the editor. Counted in a picture of at most 96 pixels in width, with the scene’s samples and depth, as the command “render --explain” counts. A switch that is off does its work, and all switches that are off do theirs together. The engine adds its tree and its packets of rays.';
         this.root = live.panel('Switch it off', hint,
-            live.element('div', { className: 'live-controls' }, this.scene, ' ', live.element('label', {}, this.engine, ' by the engine')),
+            live.div('live-controls', this.scene, ' ', live.element('label', {}, this.engine, ' by the engine')),
             this.question,
-            live.element('div', { className: 'live-drawings' }, live.element('div', { className: 'live-beside' }, live.element('div', {}, this.canvas, this.poster), this.bytes), this.counts),
+            live.div('live-drawings', live.div('live-beside', live.div('', this.canvas, this.poster), this.bytes), this.counts),
             this.switches,
-            live.element('div', { className: 'live-controls live-timed' }, ...this.run.controls));
-        this.complain = ({ message }) => (this.root.dataset.error = message);
+            live.div('live-controls live-timed', ...this.run.controls));
+        this.complain = live.failure(this);
         this.update = live.newest(() => this.count(), this.complain);
         // The questions of scenes and renderers, and those that are answered.
         this.questions = {};
@@ -138,37 +137,17 @@ live.LeftOut = class {
         }
     }
 
-    // Rounds in which the three take turns, so that other work of the machine disturbs them alike.
+    // The three take turns, so that other work of the machine disturbs them alike.
     async compare() {
-        const { run, scene: { value: scene } } = this;
-        const engine = Number(this.engine.checked);
-        // Beside the engine stands the lesson as it is, and beside switches the same code with all of them on.
-        const methods = [[0, engine ? -1 : 0], [engine, this.putBack], [0, 2 ** 16 - 1]];
-        // One picture, rendered so often that a browser's clock can time it.
-        const timed = async (method, many) => (await run.ask(`timed ${scene}`, [...method, many])).milliseconds;
-        run.status.value = 'How many pictures does the clock of this browser need? …';
-        let [many, least] = [1, 0];
-        while ((least = Math.min(await timed(methods[0], many), await timed(methods[1], many))) < 30 && many < 1024) {
-            many *= 2;
-        }
-        const times = methods.map(() => []);
-        const { rounds } = live.LeftOut;
-        for (let round = 1; round <= rounds; round += 1) {
-            // There and back, so that none always follows the same other one.
-            for (const index of round % 2 ? [0, 1, 2] : [2, 1, 0]) {
-                times[index].push(await timed(methods[index], many));
-            }
-            run.progress(round, rounds, `Round ${round} of ${rounds}, ${many} pictures each`);
-        }
-        const [base, yours, everything] = times;
-        const quotient = async (dividends) => {
-            const { text } = await live.ask('quotient', [...dividends, ...base]);
-            return /^no /.test(text) ? `makes ${text}` : `takes ${text} times as long`;
-        };
-        const beside = engine ? 'by the lesson' : 'with all switches on';
-        const coarse = least < 10 ? ' The clock of this browser is too coarse for it.' : '';
-        const each = base.toSorted((a, b) => a - b)[base.length >> 1] / many;
-        return `Beside the picture ${beside} (${live.time(each / 1000)}): yours ${await quotient(yours)}; all work ${await quotient(everything)}. Medians of ${rounds} rounds, with the interval that holds the true one with 95 %.${coarse}`;
+        let quotients;
+        let base;
+        const methods = `|left-out ${this.scene.value}`;
+        const measured = await this.run.turns(methods, this.numbers(this.putBack), ({ seconds }, lines) => {
+            [base] = seconds;
+            quotients = lines.map(({ quotient }) => (/^no /.test(quotient) ? `makes ${quotient}` : `takes ${quotient} times as long`));
+        });
+        const beside = this.engine.checked ? 'by the lesson' : 'with all switches on';
+        return `Beside the picture ${beside} (${live.time(base)}): yours ${quotients[1]}; all work ${quotients[2]}. Medians, with the interval that holds the true one with 95 %; ${[measured, ...this.run.doubts()].join('. ')}`;
     }
 };
 

@@ -114,8 +114,15 @@ live.newest = (work, complain) => {
     return start;
 };
 
+// Shows errors at the end of a figure.
+live.failure = (figure) => ({ message }) => (figure.root.dataset.error = message);
+
 // Shows errors in an element.
 live.complain = (element) => ({ message }) => (element.textContent = message);
+
+// The rows of a text: lines of cells, which have these names.
+live.lines = (text, ...names) =>
+    text.split('\n').map((line) => Object.fromEntries(line.split('\t').map((cell, at) => [names[at], cell])));
 
 // The rows of an answer whose lists are columns.
 live.rows = (answer, ...names) =>
@@ -134,6 +141,8 @@ live.element = (name, attributes = {}, ...children) => {
     element.append(...children);
     return element;
 };
+
+live.div = (className, ...children) => live.element('div', { className }, ...children);
 
 // A shape of a drawing, with attributes and children.
 live.svg = (name, attributes, ...children) => {
@@ -164,7 +173,7 @@ live.question = (text, choices, answer) => {
             button.classList.toggle('live-chosen', index === chosen);
         });
     }));
-    return live.element('div', { className: 'live-question' }, text, ' ', ...buttons, verdict);
+    return live.div('live-question', text, ' ', ...buttons, verdict);
 };
 
 // A recorded picture, which stands over a drawing until the module has come.

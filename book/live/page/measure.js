@@ -33,10 +33,10 @@ live.Measure = class {
         const hint = 'Farther left is faster, farther down is more exact. Thin: recorded on another machine. A bar is an interval of 95 %; large marks are on the Pareto front. A browser tells the time on the wall, in which your machine may do other work, too. '
             + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
         this.root = live.panel('Which method reaches your error soonest, here?', hint,
-            live.element('div', { className: 'live-controls' }, this.subject, ' ', this.methods),
+            live.div('live-controls', this.subject, ' ', this.methods),
             this.question,
-            live.element('div', { className: 'live-controls' }, ...this.run.controls),
-            live.element('div', { className: 'live-drawings' }, this.diagram.svg),
+            live.div('live-controls', ...this.run.controls),
+            live.div('live-drawings', this.diagram.svg),
             this.verdict, this.slopes, this.shown);
         before.before(this.root);
         addEventListener('hashchange', () => this.open());
@@ -58,7 +58,6 @@ live.Measure = class {
         await this.run.stop();
         const { value } = this.subject;
         this.clear();
-        this.run.isKept = false;
         const names = value.startsWith('samples-') ? live.Measure.pixels : live.Measure.pictures;
         this.methods.replaceChildren(...names.map((name) => live.element('label', {},
             live.element('input', { type: 'checkbox', checked: true, value: name, onchange: () => this.draw() }), live.WorkPrecision.key(name), name)));
@@ -79,7 +78,6 @@ live.Measure = class {
     // Nothing is measured.
     clear() {
         this.points = [];
-        this.rounds = 0;
         this.slopes.textContent = '';
         this.shown.hidden = true;
     }
@@ -89,51 +87,28 @@ live.Measure = class {
     }
 
     async measure() {
-        const { run } = this;
         const methods = this.chosen();
         if (!methods.length) {
             return 'choose a method';
         }
         this.clear();
         this.draw();
-        run.isKept = false;
-        const progress = ({ progress: [done, all] }, what) => run.progress(done, all, `measuring ${what}`);
-        this.tick = await run.module.post({ tick: true });
-        // So long a time is known to 4 %: it is off by one step of the clock at each end.
-        this.least = Math.max(1, 50 * this.tick);
-        let answer = await run.ask(`measure begin ${methods}|${this.name}`, [this.least / 1000]);
-        run.status.value = 'rendering the picture to compare with …';
-        while (!answer.prepared[0]) {
-            answer = await run.ask('measure prepare');
-            progress(answer, 'errors');
-        }
-        // From here on the module can show the pictures of the points, also after a stop.
-        run.isKept = true;
-        while (!answer.measured[0]) {
-            const { milliseconds } = await run.ask('measure run');
-            answer = await run.ask('measure took', [milliseconds / 1000]);
-            this.take(answer);
-            progress(answer, 'times');
-        }
-        return `measured in ${live.time(run.seconds)}, ${this.rounds} rounds`;
+        return this.run.turns(`${methods}|${this.name}`, [], (answer, lines) => this.take(answer, lines));
     }
 
     // The points that have a time.
-    take(answer) {
-        const lines = answer.text.split('\n').map((line) => line.split('\t'));
+    take(answer, lines) {
         const counts = {};
         const points = live.rows(answer, 'curve', 'front', 'parameter', 'work', 'error', 'error_low', 'error_high', 'seconds', 'seconds_low', 'seconds_high');
         for (const point of points) {
             const { curve, parameter, error, error_low, error_high, seconds, seconds_low, seconds_high, front } = point;
             point.index = counts[curve] = (counts[curve] ?? -1) + 1;
-            [point.method] = lines[curve];
+            point.method = lines[curve].method;
             point.words = `${point.method}, ${live.count(parameter, 'sample')} per pixel: error ${live.digits(error)} (${live.digits(error_low)} to ${live.digits(error_high)}), `
                 + `${live.time(seconds)} (${live.time(seconds_low)} to ${live.time(seconds_high)})${front ? '; on the Pareto front' : ''}`;
         }
         this.points = points.filter(({ seconds }) => seconds > 0);
-        [this.rounds] = answer.rounds;
-        this.isTooShort = answer.too_short[0] === 1;
-        this.slopes.textContent = lines.filter(([, slope]) => slope).map(([method, slope]) => `${method}: ${slope}`).join('; ');
+        this.slopes.textContent = lines.filter(({ slope }) => slope).map(({ method, slope }) => `${method}: ${slope}`).join('; ');
         this.draw();
     }
 
@@ -163,27 +138,12 @@ live.Measure = class {
             0: 'no measured method reaches it.',
             1: `${soonest[0]} is soonest (${verdict}): its interval of 95 % lies apart from the others.`,
         }[ties] ?? `${soonest.join(' or ')} (${verdict}): their times differ by less than a factor of 1.2, or than their intervals.`;
-        return this.say(`An error of ${live.digits(error)}: ${sure}`, costs, [...(others.length ? [`Not reached by ${others.join(', ')}.`] : []), ...this.doubts()].join(' '));
+        return this.say(`An error of ${live.digits(error)}: ${sure}`, costs, [...(others.length ? [`Not reached by ${others.join(', ')}.`] : []), ...this.run.doubts()].join(' '));
     }
 
     // A verdict, what the methods cost, and what is left to say.
     say(verdict, costs = [], rest = '') {
         this.verdict.replaceChildren(live.element('strong', {}, verdict), live.element('ul', {}, ...costs.map((cost) => live.element('li', {}, cost))), rest);
-    }
-
-    // What makes the times less sure.
-    doubts() {
-        const doubts = [];
-        if (this.rounds < 6) {
-            doubts.push(`After ${live.count(this.rounds, 'round')}: an interval of 95 % takes six.`);
-        }
-        const clock = `The clock of this browser has steps of ${live.digits(this.tick)} ms`;
-        if (this.isTooShort) {
-            doubts.push(`${clock}, too coarse for the shortest runs.`);
-        } else if (this.tick >= 1) {
-            doubts.push(`${clock}, so each run is repeated for ${live.digits(this.least)} ms.`);
-        }
-        return doubts;
     }
 
     // The picture of a point, and its error.

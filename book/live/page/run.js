@@ -60,8 +60,41 @@ live.Run = class {
         return (performance.now() - this.began) / 1000;
     }
 
-    progress(done, all, words) {
-        this.bar.value = done / all;
-        this.status.value = `${words}: ${Math.ceil(this.seconds * (all / done - 1))} s left`;
+    // Measures in turns: the module runs the methods, and the page has the clock. `take` gets what is measured so far.
+    async turns(request, numbers, take) {
+        this.rounds = 0;
+        this.isKept = false;
+        this.tick = await this.module.post({ tick: true });
+        // So long a time is known to 4 %: it is off by one step of the clock at each end. Much shorter ones are disturbed.
+        this.least = Math.max(20, 50 * this.tick);
+        const progress = ({ progress: [done, all] }, words) => {
+            this.bar.value = done / all;
+            this.status.value = `measuring ${words}: ${Math.ceil(this.seconds * (all / done - 1))} s left`;
+        };
+        let answer = await this.ask(`measure begin ${request}`, [this.least / 1000, ...numbers]);
+        while (!answer.prepared[0]) {
+            answer = await this.ask('measure prepare');
+            progress(answer, 'errors');
+        }
+        // From here on the module can show the pictures of what is measured, also after a stop.
+        this.isKept = true;
+        while (!answer.measured[0]) {
+            const { milliseconds } = await this.ask('measure run');
+            answer = await this.ask('measure took', [milliseconds / 1000]);
+            [[this.rounds], [this.isTooShort]] = [answer.rounds, answer.too_short];
+            take(answer, live.lines(answer.text, 'method', 'slope', 'quotient'));
+            progress(answer, 'times');
+        }
+        return `measured in ${live.time(this.seconds)}, ${this.rounds} rounds`;
+    }
+
+    // What makes the times less sure.
+    doubts() {
+        const clock = `The clock of this browser has steps of ${live.digits(this.tick)} ms`;
+        return [
+            this.rounds < 6 && `After ${live.count(this.rounds, 'round')}: an interval of 95 % takes six.`,
+            this.isTooShort ? `${clock}, too coarse for the shortest runs.`
+                : this.tick >= 1 && `${clock}, so each run is repeated for ${live.digits(this.least)} ms.`,
+        ].filter(Boolean);
     }
 };

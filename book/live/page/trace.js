@@ -44,9 +44,9 @@ live.Trace = class {
         this.mark = live.element('span', { className: 'live-pixel' });
         const hint = 'The arrow keys ← and → go from ray to ray. The name of a step leads to its section. Dashed is light that does not arrive. The command explain prints the same numbers, with all digits.';
         this.root = live.panel('Explain a pixel', hint,
-            live.element('div', { className: 'live-controls' }, 'column ', this.numbers[0], ' row ', this.numbers[1], ' ', this.status),
+            live.div('live-controls', 'column ', this.numbers[0], ' row ', this.numbers[1], ' ', this.status),
             this.drawings,
-            live.element('div', {}, live.button('←', () => go(-1)), ' ', live.button('→', () => go(1)), ' ', this.where, ' ', live.button('close', () => this.close())),
+            live.div('', live.button('←', () => go(-1)), ' ', live.button('→', () => go(1)), ' ', this.where, ' ', live.button('close', () => this.close())),
             this.list);
         this.root.tabIndex = 0;
         live.keys(this.root, { ArrowLeft: () => go(-1), ArrowRight: () => go(1), Escape: () => this.close() });

@@ -1,9 +1,13 @@
 //! The work that renderers leave out in a picture: how much of it there is, and pictures that do it to be timed.
 
+use std::rc::Rc;
+
 use common::comparison::{Comparison, WORK, small};
 use common::omitted_work::{Words, count, is_omitted};
 use common::steps::Counts;
-use common::{Error, Median, Omission, Omissions, Renderer, Scene, Settings};
+use common::{Error, Omission, Omissions, Renderer, Scene, Settings};
+use measure::experiment::{Curve, Errors, Experiment, Point, Times};
+use measure::report::Measured;
 use page::pixels;
 
 use crate::{Answer, Answered, catalogue};
@@ -73,25 +77,38 @@ pub fn done(picture: &str, numbers: &[f64]) -> Answered {
     Ok(pixels(&image).with("counts", numbers_of(&counts)))
 }
 
-/// The same picture without counting, several times, to be timed. The third number says how often; a second one below
-/// 0 takes the renderer as it is.
-pub fn timed(picture: &str, numbers: &[f64]) -> Answered {
-    let (scene, settings) = small_scene(picture, numbers)?;
-    let put_back = numbers.get(1).copied().unwrap_or_default();
-    let settings = Settings {
-        omissions: (put_back >= 0.0).then(|| omissions(put_back)),
-        ..settings
+/// The picture to be timed in turns: by the lesson with all omissions, with those put back whose bits are set in the
+/// second number, and with all work. Beside the engine stands the lesson as it is.
+pub fn measured(picture: &str, numbers: &[f64]) -> Result<Measured<'static>, Error> {
+    let (scene, yours) = small_scene(picture, numbers)?;
+    let scene = Rc::new(scene);
+    let lesson = Settings {
+        renderer: Renderer::Lesson,
+        ..yours.clone()
     };
-    for _ in 1..numbers.get(2).map_or(1, |rounds| *rounds as u32) {
-        scene.render(&settings, &())?;
-    }
-    Ok(pixels(&scene.render(&settings, &())?))
-}
-
-/// The median of quotients of times that were measured in turns, with its interval: first all dividends, then all
-/// divisors. The text is for the reader.
-pub fn quotient(times: &[f64]) -> Answer {
-    let (dividends, divisors) = times.split_at(times.len() / 2);
-    let median = Median::of_quotients(dividends, divisors);
-    Answer::text(median.to_string()).with("quotient", [median.low, median.value, median.high])
+    let put_back = numbers.get(1).copied().unwrap_or_default();
+    let all_on = (yours.renderer == Renderer::Lesson).then_some(Omissions::ALL);
+    let curves = [
+        ("all on", &lesson, all_on),
+        ("yours", &yours, Some(omissions(put_back))),
+        ("all work", &lesson, Some(omissions(u16::MAX.into()))),
+    ]
+    .map(|(method, settings, omissions)| {
+        let scene = Rc::clone(&scene);
+        let settings = Settings {
+            omissions,
+            ..settings.clone()
+        };
+        let point = Point {
+            parameter: 1.0,
+            work: 1.0,
+            errors: Errors::of([0.0]),
+            times: Times::of(move || scene.render(&settings, &())),
+        };
+        Curve::new(method, [point])
+    });
+    Ok(Measured {
+        experiment: Experiment::new("left-out"),
+        curves: curves.into(),
+    })
 }

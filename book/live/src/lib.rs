@@ -43,8 +43,6 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         Some(("sweep-errors", name)) => sweeps::errors(name, numbers),
         Some(("work", name)) => left_out::work(name, numbers),
         Some(("done", name)) => left_out::done(name, numbers),
-        Some(("timed", name)) => left_out::timed(name, numbers),
-        None if request == "quotient" => Ok(left_out::quotient(numbers)),
         None if request == "sweeps" => Ok(sweeps::all()),
         None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),
         _ => figures::answer(request, numbers),

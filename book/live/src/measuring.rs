@@ -15,7 +15,7 @@ use measure::front::Contender;
 use measure::report::Measured;
 use measure::{Rounds, Turn, reach};
 
-use crate::{Answer, Answered};
+use crate::{Answer, Answered, left_out};
 use pictures::Pictures;
 
 /// A measurement that has begun.
@@ -44,7 +44,7 @@ thread_local! {
 }
 
 /// Answers `begin METHODS|SUBJECT` with the least time in seconds that the clock can tell, and requests to
-/// the measurement that has begun.
+/// the measurement that has begun. The subject `left-out PICTURE` has its own methods, and further numbers.
 pub fn answer(request: &str, numbers: &[f64]) -> Answered {
     if let Some((methods, name)) = request
         .strip_prefix("begin ")
@@ -58,9 +58,13 @@ pub fn answer(request: &str, numbers: &[f64]) -> Answered {
             least_time: numbers.first().copied().unwrap_or(1e-3),
             work_done: 0.0,
         };
-        match edges::measured(name, &methods) {
-            Some(measured) => measuring.take_turns(measured),
-            None => measuring.pictures = Some(Pictures::new(name, &methods)?),
+        if let Some(picture) = name.strip_prefix("left-out ") {
+            let settings = numbers.get(1..).unwrap_or_default();
+            measuring.take_turns(left_out::measured(picture, settings)?);
+        } else if let Some(measured) = edges::measured(name, &methods) {
+            measuring.take_turns(measured);
+        } else {
+            measuring.pictures = Some(Pictures::new(name, &methods)?);
         }
         let answer = measuring.progress();
         MEASURING.set(Some(measuring));
@@ -156,7 +160,8 @@ impl Measuring {
     }
 
     /// Each list has a number for each point: its place, error and time with their ends, and whether it
-    /// is on the front. As text, the name of each curve and its slope.
+    /// is on the front. As text, the name of each curve, its slope, and how long its first point takes beside that
+    /// of the first curve.
     fn points(&self, answer: Answer) -> Answer {
         let Some((measured, _)) = &self.timed else {
             return answer;
@@ -167,7 +172,14 @@ impl Measuring {
         for (c, curve) in measured.curves.iter().enumerate() {
             let fit = measured.experiment.fit(curve);
             let slope = fit.map(|fit| fit.to_string()).unwrap_or_default();
-            lines.push(format!("{}\t{slope}", curve.method));
+            let quotient = curve
+                .points
+                .first()
+                .and_then(|first| first.times.over_first);
+            let quotient = quotient
+                .map(|median| median.to_string())
+                .unwrap_or_default();
+            lines.push(format!("{}\t{slope}\t{quotient}", curve.method));
             for point in &curve.points {
                 let is_point = |one: &Contender| one.curve == c && one.parameter == point.parameter;
                 let is_on_front = u8::from(front.iter().any(is_point));

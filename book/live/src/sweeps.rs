@@ -42,7 +42,10 @@ pub fn all() -> Answer {
         .with("first", list(|sweep| sweep.powers[0]))
         .with("last", list(|sweep| sweep.powers[1]))
         .with("harmless", list(|sweep| sweep.harmless))
-        .with("step", list(|sweep| sweep.step))
+        .with(
+            "step",
+            list(|sweep| sweep.step.copysign(sweep.powers[1] - sweep.powers[0])),
+        )
 }
 
 /// The problem of this name: its errors at all powers of ten, or, with a power, its digits and its pictures there.

@@ -44,7 +44,7 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
         await press('run.halt');
         await chromium.until(`${figure}.run.halt.disabled && ${figure}.run.status.value === 'stopped'`);
         await press('run.start');
-        await chromium.until(`${figure}.rounds > 0`);
+        await chromium.until(`${figure}.run.rounds > 0`);
         await press('run.halt');
         await chromium.until(`${figure}.run.halt.disabled`);
         const rows = await reported(run, stage, names);

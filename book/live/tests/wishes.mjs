@@ -124,12 +124,10 @@ export async function tryLeftOut({ chromium, expect, run, programs, shot }) {
     const own = await chromium.value(`[${figure}.scene.selectedOptions[0].textContent, ${figure}.latest[5], ${figure}.bytes.value.slice(0, 3)]`);
     expect(`${own}` === 'the scene of the editor,1879,All', `a scene of the editor has ${own}`);
     // Timed, stopped, and timed again, by the keyboard.
-    await chromium.value(`void (live.LeftOut.rounds = 200)`);
     await chromium.enter(`${figure}.run.start`);
-    await chromium.until(`/^Round/.test(${figure}.run.status.value)`);
+    await chromium.until(`!${figure}.run.halt.disabled`);
     await chromium.enter(`${figure}.run.halt`);
     await chromium.until(`${figure}.run.status.value === 'stopped' && ${figure}.run.halt.disabled`);
-    await chromium.value(`void (live.LeftOut.rounds = 6)`);
     await chromium.enter(`${figure}.run.start`);
     await chromium.until(`/^Beside the picture/.test(${figure}.run.status.value)`);
     console.log(await chromium.value(`${figure}.run.status.value`));

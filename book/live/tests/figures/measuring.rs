@@ -41,3 +41,27 @@ fn a_measurement_on_the_page_takes_turns_as_a_report_does() {
     assert_eq!(picture.get("size"), [128.0, 64.0]);
     assert!(call("measure picture", &[2.0, 0.0]).is_err());
 }
+
+/// A picture with a switch off takes turns with that of the lesson and with all work. If all runs take the same
+/// time, no difference is found.
+#[test]
+fn what_is_left_out_is_timed_in_turns() {
+    let mut answer = ask(
+        "measure begin |left-out a05-lighting-phong",
+        &[1e-3, 0.0, 1.0],
+    );
+    while answer.get("measured") != [1.0] {
+        ask("measure run", &[]);
+        answer = ask("measure took", &[2e-3]);
+    }
+    let of = |line: &str| line.split('\t').next_back().unwrap_or_default().to_owned();
+    let quotients: Vec<_> = answer.text.lines().map(of).collect();
+    assert_eq!(quotients[0], "");
+    assert!(
+        quotients[1..]
+            .iter()
+            .all(|text| text.starts_with("no difference")),
+        "{quotients:?}"
+    );
+    assert_eq!(quotients.len(), 3);
+}
