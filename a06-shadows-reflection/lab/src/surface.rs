@@ -10,7 +10,7 @@
 //! and a half: with r², four roundings of r. In t₀ the square f·f is t₀ t₁ + r². Divided by t₁, and times √D / r, which
 //! is at most t₁ / r, it leaves t₀ + r, which is at most 2m.
 //!
-//! **Triangle**, t = α z_A + β z_B + γ z_C. The corners are wrong by a few u of their distance from o, at most
+//! **Triangle**, `t = α z_A + β z_B + γ z_C`. The corners are wrong by a few u of their distance from o, at most
 //! t + L with the longest edge L. A mean with positive weights is no more wrong than the corners are: 15u t + 25u L at
 //! the first test, 25u L at the second. The weights are areas, differences of two products of lengths up to
 //! √3 L in the sheared space, wrong by up to 6u L² each, and divided by their sum. Along a flat ray this sum is
