@@ -76,29 +76,28 @@ pub fn compare(other: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The experiments that a page measures anew, beside their recorded curves.
-const MEASURED_AGAIN: [&str; 3] = [
-    "a03.samples-curved-edge",
-    "a03.samples-level-edge",
-    "a05.phong",
+/// What a page measures anew, beside the recorded curves of an experiment.
+const MEASURED_AGAIN: [(&str, &str); 3] = [
+    ("samples-curved-edge", "a03.samples-curved-edge"),
+    ("samples-level-edge", "a03.samples-level-edge"),
+    ("a05-lighting-phong", "a05.phong"),
 ];
 
-/// The recorded curves as a script: method, parameter, error and seconds of each point.
+/// The recorded curves as a script.
 pub fn script() -> Result<String, String> {
     let text = file::read(Path::new(RECORDING))?;
     let recording = Recording::parse(&text)?;
     let mut curves = serde_json::Map::new();
-    for name in MEASURED_AGAIN {
+    for (subject, name) in MEASURED_AGAIN {
         let mut points = Vec::new();
         for row in recording.experiment(name) {
-            points.push(json!([
-                row.method,
-                row.parameter,
-                row.error.value,
-                row.seconds.value
-            ]));
+            points.push(json!({
+                "method": row.method,
+                "error": row.error.value,
+                "seconds": row.seconds.value
+            }));
         }
-        curves.insert(name.to_owned(), points.into());
+        curves.insert(subject.to_owned(), points.into());
     }
     Ok(format!("live.recorded = {};\n", Value::from(curves)))
 }

@@ -50,19 +50,23 @@ live.Extremes = class {
         return this.now.first + this.now.step * place;
     }
 
+    place(power) {
+        return Math.round((power - this.now.first) / this.now.step);
+    }
+
     // Another problem: its errors, its question, and the knob where it is harmless.
     async choose() {
         const { now } = this;
         this.errors = await live.ask(`sweep ${now.name}`);
         this.errors.yours = (await this.askYours(now).catch(() => undefined))?.yours;
         delete this.root.dataset.error;
-        this.knob.max = Math.round((now.last - now.first) / now.step);
+        this.knob.max = this.place(now.last);
         this.knob.setAttribute('aria-label', now.parameter);
         this.cases.stage.value = now.stage;
         this.cases.filter.value = now.cases;
         now.question ??= this.ask(now);
         this.question.replaceChildren(now.question);
-        await this.turn(Math.round((now.harmless - now.first) / now.step));
+        await this.turn(this.place(now.harmless));
     }
 
     // The errors of the reader's own formula, if the exercise is done.
@@ -87,20 +91,19 @@ live.Extremes = class {
         const text = `At which power of ten has the protocol’s formula lost half of its digits? It computes ${problem.computes}. Turn the knob to your guess.`;
         return live.question(text, ['it breaks here', 'it never breaks'], (never) => {
             problem.isKnown = true;
-            this.turn(Number(this.knob.value));
             return this.verdict(never ? Infinity : this.power(this.knob.value));
         });
     }
 
+    // Turns the knob to where it breaks.
     verdict(guess) {
         const [breaks] = this.errors.breaks;
         if (breaks === undefined) {
+            this.turn(this.knob.value);
             return 'It never does. The problem itself loses the digits: the band rises with the curves.';
         }
-        const start = Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly: at' : 'At';
-        const [ours, allowed] = ['ours', 'allowed'].map((list) => this.errors[list][Math.round((breaks - this.now.first) / this.now.step)]);
-        const we = ours > this.errors.broken[0] ? 'So has ours, by the same roundings' : `Ours ${live.Extremes.ulps(ours)} there`;
-        return `${start} 10 to the ${breaks}. ${we}; the problem alone allows ${live.Extremes.count(allowed)}.`;
+        this.turn(this.place(breaks));
+        return `${Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly: at' : 'At'} 10 to the ${breaks}, where the knob is now.`;
     }
 
     static count(error) {
@@ -148,7 +151,7 @@ live.Extremes = class {
         const x = (at) => (10 * (at - now.first)) / (now.last - now.first);
         const y = (error) => (Number.isFinite(error) ? ((Math.min(Math.max(Math.log10(error), least), most) - least) / (most - least)) * top : none);
         const places = (list) => list.map((error, index) => [x(errors.powers[index]), y(error)]);
-        const at = Math.round((power - now.first) / now.step);
+        const at = this.place(power);
         pen.path([[0, 0], ...places(errors.allowed), [10, 0]], 'pale a', true);
         const levels = { '1 ulp': 1, '10⁴': 1e4, half: errors.broken[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity };
         pen.grid(1, Object.entries(levels).map(([words, error]) => [y(error), words]));

@@ -5,8 +5,8 @@ live.LeftOut = class {
 
     constructor(heading) {
         // The editor's scene, in the link that leads here.
-        const [, written] = /^#scene=(.*)/.exec(location.hash) ?? [];
-        const own = written ? [[`file\n${decodeURIComponent(written)}`, 'the scene of the editor']] : [];
+        const linked = live.linkedScene();
+        const own = linked ? [[linked, 'the scene of the editor']] : [];
         this.scene = live.select('scene', [...own, ...live.LeftOut.scenes.map((name) => [name, name])], () => this.open());
         this.engine = live.element('input', { type: 'checkbox', onchange: () => this.open() });
         this.question = live.div('live-asked');

@@ -194,6 +194,16 @@ live.control = (label, { choices, ...range }, change) => {
     return { show, element: live.element('label', {}, `${label} `, input, ' ', output) };
 };
 
+// The scene of the editor, as a picture's name, in a link that leads to a tool; none in one that is damaged.
+live.linkedScene = () => {
+    const [, scene] = location.hash.split('#scene=');
+    try {
+        return scene && `file\n${decodeURIComponent(scene)}`;
+    } catch {
+        return undefined;
+    }
+};
+
 // Makes a tool before a heading, on the page that has it.
 live.tool = (heading, make) => {
     const place = live.works && document.querySelector(`main #${heading}`);

@@ -10,13 +10,6 @@ live.Measure = class {
         ['a03-rays-cameras-striped-sky', 'striped-sky, a picture'],
         ['file', 'your scene, from the editor'],
     ];
-    // The recorded experiments.
-    static recorded = {
-        'a05-lighting-phong': 'a05.phong',
-        'samples-curved-edge': 'a03.samples-curved-edge',
-        'samples-level-edge': 'a03.samples-level-edge',
-    };
-
     constructor(before) {
         this.subject = live.select('what is measured', live.Measure.subjects, () => this.choose());
         this.methods = live.element('span', { className: 'live-methods', role: 'group', 'aria-label': 'methods' });
@@ -46,7 +39,7 @@ live.Measure = class {
 
     // The scene of the editor's link.
     open() {
-        if (location.hash.startsWith('#scene=')) {
+        if (live.linkedScene()) {
             this.subject.value = 'file';
             this.choose();
             this.root.scrollIntoView();
@@ -61,10 +54,8 @@ live.Measure = class {
         const names = value.startsWith('samples-') ? live.Measure.pixels : live.Measure.pictures;
         this.methods.replaceChildren(...names.map((name) => live.element('label', {},
             live.element('input', { type: 'checkbox', checked: true, value: name, onchange: () => this.draw() }), live.WorkPrecision.key(name), name)));
-        const recorded = live.recorded[live.Measure.recorded[value]] ?? [];
-        this.recorded = recorded.map(([method, parameter, error, seconds]) => ({ method, parameter, error, seconds }));
-        const [, scene] = location.hash.split('#scene=');
-        this.name = value === 'file' ? scene && `file\n${decodeURIComponent(scene)}` : value;
+        this.recorded = live.recorded[value] ?? [];
+        this.name = value === 'file' ? live.linkedScene() : value;
         this.run.start.disabled = true;
         this.run.status.replaceChildren(...(this.name ? [] : ['Write a scene in ', live.element('a', { href: 'scene-editor.html' }, 'the editor'), ', and follow its link “how many samples does it need?”.']));
         this.guess = undefined;
@@ -107,6 +98,7 @@ live.Measure = class {
             point.words = `${point.method}, ${live.count(parameter, 'sample')} per pixel: error ${live.digits(error)} (${live.digits(error_low)} to ${live.digits(error_high)}), `
                 + `${live.time(seconds)} (${live.time(seconds_low)} to ${live.time(seconds_high)})${front ? '; on the Pareto front' : ''}`;
         }
+        this.names = lines.map(({ method }) => method);
         this.points = points.filter(({ seconds }) => seconds > 0);
         this.slopes.textContent = lines.filter(({ slope }) => slope).map(({ method, slope }) => `${method}: ${slope}`).join('; ');
         this.draw();
@@ -124,16 +116,16 @@ live.Measure = class {
             return this.say(`Which method reaches an error of ${live.digits(error)} soonest on this machine? Guess above, and measure.`);
         }
         const reach = await this.run.module.ask('measure soonest', [error]);
-        const names = new Map(this.points.map((point) => [point.curve, point.method]));
+        const { names } = this;
         const reached = live.rows(reach, 'curve', 'parameter', 'seconds', 'seconds_low', 'seconds_high');
         const costs = reached.map(({ curve, parameter, seconds, ...ends }) => {
             const [low, high] = [ends.seconds_low, ends.seconds_high].map((end) => (end === Infinity ? 'unknown' : live.time(end)));
-            return `${names.get(curve)}: ${live.count(parameter, 'sample')} per pixel, ${live.time(seconds)} (${low} to ${high})`;
+            return `${names[curve]}: ${live.count(parameter, 'sample')} per pixel, ${live.time(seconds)} (${low} to ${high})`;
         });
         const [ties] = reach.ties;
-        const soonest = reached.slice(0, ties).map(({ curve }) => names.get(curve));
+        const soonest = reached.slice(0, ties).map(({ curve }) => names[curve]);
         const verdict = soonest.includes(this.guess) ? 'as you guessed' : `you guessed ${this.guess}`;
-        const others = [...names].filter(([curve]) => !reach.curve.includes(curve)).map(([, name]) => name);
+        const others = names.filter((_, curve) => !reach.curve.includes(curve));
         const sure = {
             0: 'no measured method reaches it.',
             1: `${soonest[0]} is soonest (${verdict}): its interval of 95 % lies apart from the others.`,
