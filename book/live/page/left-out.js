@@ -142,7 +142,7 @@ live.LeftOut = class {
         let quotients;
         let base;
         const methods = `|left-out ${this.scene.value}`;
-        const measured = await this.run.turns(methods, this.numbers(this.putBack), ({ seconds }, lines) => {
+        const measured = await this.run.turns(methods, this.numbers(this.putBack), 30, ({ seconds }, lines) => {
             [base] = seconds;
             quotients = lines.map(({ quotient }) => (/^no /.test(quotient) ? `makes ${quotient}` : `takes ${quotient} times as long`));
         });

@@ -84,7 +84,7 @@ live.Measure = class {
         }
         this.clear();
         this.draw();
-        return this.run.turns(`${methods}|${this.name}`, [], (answer, lines) => this.take(answer, lines));
+        return this.run.turns(`${methods}|${this.name}`, [], 1, (answer, lines) => this.take(answer, lines));
     }
 
     // The points that have a time.

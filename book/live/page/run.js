@@ -60,13 +60,14 @@ live.Run = class {
         return (performance.now() - this.began) / 1000;
     }
 
-    // Measures in turns: the module runs the methods, and the page has the clock. `take` gets what is measured so far.
-    async turns(request, numbers, take) {
+    // Measures in turns: the module runs the methods, each for at least so many milliseconds, and the page has the
+    // clock. `take` gets what is measured so far.
+    async turns(request, numbers, least, take) {
         this.rounds = 0;
         this.isKept = false;
         this.tick = await this.module.post({ tick: true });
-        // So long a time is known to 4 %: it is off by one step of the clock at each end. Much shorter ones are disturbed.
-        this.least = Math.max(20, 50 * this.tick);
+        // So long a time is known to 4 %: it is off by one step of the clock at each end.
+        this.least = Math.max(least, 50 * this.tick);
         const progress = ({ progress: [done, all] }, words) => {
             this.bar.value = done / all;
             this.status.value = `measuring ${words}: ${Math.ceil(this.seconds * (all / done - 1))} s left`;
