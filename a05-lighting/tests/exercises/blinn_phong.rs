@@ -25,10 +25,6 @@ pub fn exercise() -> Exercise<Code> {
                 blinn_phong(([diffuse, Color::gray(0.7)], 64.0), ray, hit, lights)
             })
         }),
-        ..materials([2.0, 0.0].map(|exponent| Materials {
-            words: "diffuse and specular {}, exponent {}",
-            first: ([Color::RED, Color::BLUE], exponent),
-            any: |r| ([r.color(), r.color()], r.between(0.5, 40.0)),
-        }))
+        ..materials()
     }
 }

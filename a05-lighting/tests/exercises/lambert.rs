@@ -15,10 +15,6 @@ pub fn exercise() -> Exercise<Code> {
                 lambert(diffuse, ray, hit, lights)
             })
         }),
-        ..materials([Materials {
-            words: "diffuse {}",
-            first: Color::new(1.0, 0.5, 0.0),
-            any: Random::color,
-        }])
+        ..materials()
     }
 }

@@ -14,43 +14,11 @@ pub fn shading<P>(
     Arc::new(color)
 }
 
-/// Materials of some parameters.
-pub struct Materials<P> {
-    /// The parameters in words, with `{}` instead of each.
-    pub words: &'static str,
-    /// Parameters of round numbers.
-    pub first: P,
-    /// Random parameters.
-    pub any: fn(&mut Random) -> P,
-}
-
-/// Asks materials of one kind after the other: the first of each kind on simple surfaces, and then
-/// any one.
-pub fn materials<P: Input + 'static>(
-    materials: impl IntoIterator<Item = Materials<P>>,
-) -> Exercise<Shading<P>> {
-    Exercise {
-        questions: materials
-            .into_iter()
-            .flat_map(Materials::questions)
-            .collect(),
-        ..Exercise::default()
-    }
-}
-
-impl<P: Input + 'static> Materials<P> {
-    fn questions(self) -> Vec<CodeQuestion<Shading<P>>> {
-        let Self { words, first, any } = self;
-        let questions = Questions {
-            words: format!("{words}, {SEEN}").leak(),
-            simple: Seen::simple().map(|seen| (first.clone(), seen)).to_vec(),
-            others: random(|r| (any(r), Seen::any(r))),
-            answer: |shading: &Shading<P>, (parameters, seen): (P, Seen)| {
-                shading(parameters, &seen.ray(), &seen.hit(), &seen.light()).channels()
-            },
-        };
-        questions.into()
-    }
+/// An exercise whose file asks materials of some parameters, and surfaces that an eye sees.
+pub fn materials<P: Input + Default + 'static>() -> Exercise<Shading<P>> {
+    Exercise::asked(|shading: &Shading<P>, (parameters, seen): (P, Seen)| {
+        shading(parameters, &seen.ray(), &seen.hit(), &seen.light()).channels()
+    })
 }
 
 /// The ambient light that a surface reflects, and the part that it reflects of each light.

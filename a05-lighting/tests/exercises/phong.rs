@@ -17,10 +17,6 @@ pub fn exercise() -> Exercise<Code> {
                 phong(([diffuse, Color::WHITE], 64.0), ray, hit, lights)
             })
         }),
-        ..materials([Materials {
-            words: "diffuse and specular {}, exponent {}",
-            first: ([Color::RED, Color::BLUE], 2.0),
-            any: |r| ([r.color(), r.color()], r.between(0.5, 40.0)),
-        }])
+        ..materials()
     }
 }

@@ -14,12 +14,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit.scene("phong"),
-        ..lights([Lights {
-            words: "light {} at {}",
-            first: (Color::new(1.0, 0.5, 0.25), LAMP),
-            simple: vec![],
-            others: vec![],
-            any: |r| (r.color(), r.triple(5.0)),
-        }])
+        ..lights()
     }
 }

@@ -1,14 +1,9 @@
-//! Surfaces as an eye sees them: in light from before, from behind and along the surface, with
-//! normals aslant to the geometric normal, from all distances.
+//! Surfaces as an eye sees them.
 
 use crate::prelude::*;
 
-/// The words for a surface that an eye sees in messages.
-pub const SEEN: &str = "eye towards {} at the distance {}, normal and geometric normal {}, ambient light {}, \
-    colours of lights and where they are {}";
-
 /// A surface at the origin that an eye sees. Directions have length 1.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct Seen {
     /// The direction to the eye.
     pub to_eye: [f64; 3],
@@ -25,74 +20,6 @@ pub struct Seen {
 input! { Seen: to_eye, distance, normals, ambient, lights }
 
 impl Seen {
-    /// An eye above and light from there, aslant, from behind, none but ambient light,
-    /// a normal aslant to the geometric normal, light along the surface, two lights of which one is
-    /// behind, and two lights beside ambient light.
-    #[must_use]
-    pub fn simple() -> [Self; 8] {
-        let (up, pink) = ([0.0, 1.0, 0.0], [1.0, 0.5, 0.5]);
-        let from_above = Self {
-            to_eye: up,
-            distance: 1.0,
-            normals: [up, up],
-            ambient: Color::BLACK,
-            lights: vec![[pink, up]],
-        };
-        [
-            from_above.clone(),
-            Self {
-                lights: vec![[pink, [0.6, 0.8, 0.0]]],
-                ..from_above.clone()
-            },
-            Self {
-                lights: vec![[pink, [0.6, -0.8, 0.0]]],
-                ..from_above.clone()
-            },
-            Self {
-                ambient: Color::new(1.0, 0.5, 0.5),
-                lights: Vec::new(),
-                ..from_above.clone()
-            },
-            Self {
-                normals: [[0.6, 0.8, 0.0], up],
-                ..from_above.clone()
-            },
-            Self {
-                lights: vec![[pink, [1.0, 0.0, 0.0]]],
-                ..from_above.clone()
-            },
-            Self {
-                to_eye: [0.0, 0.8, 0.6],
-                lights: vec![
-                    [pink, [0.0, 0.8, -0.6]],
-                    [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]],
-                ],
-                ..from_above.clone()
-            },
-            Self {
-                ambient: Color::gray(0.25),
-                lights: vec![[pink, up], [[0.0, 0.0, 1.0], [0.6, 0.8, 0.0]]],
-                ..from_above
-            },
-        ]
-    }
-
-    /// An eye before a surface, and two lights, one of which shines along it.
-    pub fn any(random: &mut Random) -> Self {
-        let [normal, bend, eye, light] = [(); 4].map(|()| vector(random.triple(1.0)));
-        let geometric_normal = normal + bend * 0.4;
-        let height = 1e-6 * random.between(-1.0, 1.0);
-        let grazing = normal.cross(light) + normal * height;
-        let lights = [light, grazing].map(|light| [random.color().channels(), direction(light)]);
-        Self {
-            to_eye: direction(eye * eye.dot(geometric_normal).signum()),
-            distance: random.scale(),
-            normals: [normal, geometric_normal].map(direction),
-            ambient: random.color(),
-            lights: lights.to_vec(),
-        }
-    }
-
     /// The ray from the eye.
     #[must_use]
     pub fn ray(&self) -> Ray {
@@ -124,11 +51,6 @@ impl Seen {
             lights: lights.collect(),
         }
     }
-}
-
-/// A direction of length 1, as code gets it.
-fn direction(any: Vector3) -> [f64; 3] {
-    array(unit(array(any)))
 }
 
 /// The light that every hit receives.

@@ -23,35 +23,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit.scene("phong-spot"),
-        ..lights([1.0, PI].map(|half_angle| Lights {
-            words: "light {} at {}, axis {}, half angle {}",
-            first: (
-                Color::new(1.0, 0.5, 0.25),
-                LAMP,
-                [0.0, -1.0, 0.0],
-                half_angle,
-            ),
-            simple: vec![],
-            others: at_borders(),
-            any,
-        }))
+        ..lights()
     }
-}
-
-fn any(r: &mut Random) -> Cone {
-    let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
-    (r.color(), lamp, array(unit(axis)), r.between(0.05, 3.1))
-}
-
-/// Points on the axis, and just inside and outside of the cone.
-fn at_borders() -> Vec<(Cone, [f64; 3])> {
-    let (mut points, mut r) = (Vec::new(), Random::new(3));
-    for cone in random(any) {
-        let (_, lamp, axis, half_angle) = cone;
-        let factor = if points.len() % 4 == 0 { -1e-6 } else { 1e-6 };
-        for angle in [0.0, half_angle * (1.0 + factor)] {
-            points.push((cone, at_angle(&mut r, lamp, axis, angle)));
-        }
-    }
-    points
 }

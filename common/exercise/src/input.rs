@@ -161,7 +161,8 @@ macro_rules! fixed {
 fixed! { never: Sampling &'static str; word: bool u8 u32 i32 u64 usize String; }
 
 fn word<T: FromStr>(parts: &mut SplitWhitespace) -> Option<T> {
-    parts.next()?.parse().ok()
+    // A comma may stand between the items of a list.
+    parts.next()?.trim_end_matches(',').parse().ok()
 }
 
 /// No line has such an argument.
