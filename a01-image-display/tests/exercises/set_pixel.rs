@@ -7,55 +7,27 @@ yours! { set_pixel }
 type Code = fn(&mut Image, u32, u32, Color);
 
 pub fn exercise() -> Exercise<Code> {
-    let places = Questions {
-        words: "red in a blue picture of {}x{}, column {}, row {}",
-        simple: vec![
-            (4, 3, 0, 0),
-            (4, 3, 2, 1),
-            (3, 4, 1, 2),
-            (4, 3, 4, 0),
-            (5, 1, 4, 0),
-            (1, 5, 0, 4),
-            // Far outside, where a product does not fit into 32 bits.
-            (4, 3, 1, 1 << 30),
-            (4, 3, 2, (1 << 30) + 1),
-            (16, 2, 3, 1 << 28),
-            (4, 3, 0, u32::MAX),
-            (4, 3, u32::MAX, 0),
-            (4, 3, u32::MAX, u32::MAX),
-        ],
-        others: random(|r| (1 + r.below(9), 1 + r.below(9), r.below(9), r.below(9))),
-        answer: |set_pixel: &Code, (w, h, x, y)| {
-            painted((w, h), |size| {
-                let mut image = Image::from_fn(size, |_, _| Color::BLUE)?;
-                set_pixel(&mut image, x, y, Color::RED);
-                Ok(image)
-            })
-        },
-    };
-    let colors = Questions {
-        words: "{} in a {} picture of 4x3, column {}, row {}",
-        simple: vec![
-            ("green", "black", 1, 1),
-            ("green", "black", 3, 2),
-            ("black", "blue", 1, 1),
-        ],
-        others: vec![],
-        answer: |set_pixel: &Code, (color, paper, x, y)| {
-            let [color, paper] = [color, paper].map(|name| match name {
-                "green" => Color::GREEN,
-                "blue" => Color::BLUE,
-                _ => Color::BLACK,
-            });
-            painted((4, 3), |size| {
-                let mut image = Image::from_fn(size, |_, _| paper)?;
-                set_pixel(&mut image, x, y, color);
-                Ok(image)
-            })
-        },
-    };
+    let red = Form::new(|set_pixel: &Code, (w, h, x, y)| {
+        painted((w, h), |size| {
+            let mut image = Image::from_fn(size, |_, _| Color::BLUE)?;
+            set_pixel(&mut image, x, y, Color::RED);
+            Ok(image)
+        })
+    });
+    let colors = Form::new(|set_pixel: &Code, (color, paper, x, y): (String, String, _, _)| {
+        let [color, paper] = [color, paper].map(|name| match &*name {
+            "green" => Color::GREEN,
+            "blue" => Color::BLUE,
+            _ => Color::BLACK,
+        });
+        painted((4, 3), |size| {
+            let mut image = Image::from_fn(size, |_, _| paper)?;
+            set_pixel(&mut image, x, y, color);
+            Ok(image)
+        })
+    });
     Exercise {
-        questions: all([places.into(), colors.into()]),
+        forms: vec![red, colors],
         picture: Picture::own(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
         ..Exercise::default()
     }

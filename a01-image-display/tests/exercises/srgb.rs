@@ -11,23 +11,11 @@ pub struct Code {
 }
 
 pub fn exercise() -> Exercise<Code> {
-    let simple = vec![1.0, 0.0, 0.5, 0.02, 0.002, 0.0031, 0.0032, 0.04, 0.041];
-    // Above and below the border between both parts.
-    let others = random(|r| r.between(0.0, 1.0) * [1.0, 0.01][r.below(2) as usize]);
-    let lights = Questions {
-        words: "the light {}",
-        simple: simple.clone(),
-        others: others.clone(),
-        answer: |code: &Code, light| (code.encode)(light),
-    };
-    let values = Questions {
-        words: "the value {}",
-        simple,
-        others,
-        answer: |code: &Code, value| (code.decode)(value),
-    };
     Exercise {
-        questions: all([lights.into(), values.into()]),
+        forms: vec![
+            Form::new(|code: &Code, light: f64| (code.encode)(light)),
+            Form::new(|code: &Code, value: f64| (code.decode)(value)),
+        ],
         picture: Picture::own(test_card),
         ..Exercise::default()
     }

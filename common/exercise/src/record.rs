@@ -104,6 +104,17 @@ impl Record {
             ..reader.record
         })
     }
+
+    /// The questions of the file alone, for a program that must not know what is right.
+    #[must_use]
+    pub fn without_answers(self) -> Self {
+        let keys = self.questions.iter().map(|line| &*line.arguments);
+        Self {
+            rows: keys.map(Row::without_answer).collect(),
+            mistakes: Vec::new(),
+            ..self
+        }
+    }
 }
 
 /// What the lines so far say.
@@ -181,7 +192,7 @@ impl Row {
     /// The row of a question, with no answer where none is written.
     fn read(key: &str, written: &str) -> Option<Self> {
         let (answer, tolerance) = match written {
-            "" => (Answer::default(), Tolerance::RoundingDecides),
+            "" => return Some(Self::without_answer(key)),
             _ => read_answer(written)?,
         };
         Some(Self {
@@ -189,6 +200,14 @@ impl Row {
             answer,
             tolerance,
         })
+    }
+
+    fn without_answer(key: &str) -> Self {
+        Self {
+            key: key.to_owned(),
+            answer: Answer::default(),
+            tolerance: Tolerance::RoundingDecides,
+        }
     }
 }
 
@@ -267,6 +286,20 @@ other 0.1 | 4294967295 = \"none\" ~ rounding decides
         let (input, question) = number.read::<(f64, u32)>().unwrap();
         assert_eq!(input, (0.1, u32::MAX));
         assert_eq!((number.form, question.is_simple), (1, false));
+    }
+
+    #[test]
+    fn a_file_without_answers_asks_the_same_questions() {
+        let record = Record::read(FILE).unwrap();
+        let text = record.clone().without_answers().to_string();
+        assert!(text.contains("\nsimple 1 1e200 -0\nsimple"), "{text}");
+        let asked = Record::read(&text).unwrap();
+        assert_eq!(asked.questions, record.questions);
+        assert!(!asked.rows.iter().any(Row::is_recorded));
+        assert_eq!(
+            Record::read("? 7f03a1 = 1").unwrap().without_answers(),
+            Record::default()
+        );
     }
 
     #[test]
