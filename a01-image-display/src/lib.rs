@@ -4,16 +4,16 @@
 //! Here images are made by hand, pixel by pixel, so that the path from a colour
 //! to the screen is clear before the first ray.
 
+mod adapter;
 mod canvas;
 mod paint_diagonal;
 mod painter;
-mod program;
 mod scenes;
 mod show_image;
 #[cfg(feature = "window")]
 mod window;
 
-pub use crate::program::stage;
+pub use crate::adapter::stage;
 pub use canvas::Canvas;
 pub use paint_diagonal::PaintDiagonal;
 pub use painter::Painter;
@@ -23,7 +23,7 @@ pub use show_image::ShowImage;
 /// in a build without the feature `window`.
 #[cfg(not(target_family = "wasm"))]
 #[must_use]
-pub fn viewer() -> Option<::program::Viewer> {
+pub fn viewer() -> Option<program::Viewer> {
     #[cfg(feature = "window")]
     return Some(window::show);
     #[cfg(not(feature = "window"))]

@@ -3,12 +3,12 @@
 //! A [`Camera`] turns a position in the picture into a [`Ray`]; [`render`] takes
 //! the rays of every pixel from it, and the radiance of each ray from a function.
 
+mod adapter;
 mod bounded_ray;
 mod camera;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
-mod program;
 mod random;
 mod ray;
 mod render;
@@ -19,13 +19,13 @@ mod striped_sky;
 mod view;
 
 #[cfg(not(target_family = "wasm"))]
-pub use crate::program::inspector::inspector;
-pub use crate::program::kinds;
-pub use crate::program::stage;
-pub use crate::program::traced_world::TracedWorld;
-pub use crate::program::views::{Views, traced_scene};
+pub use crate::adapter::inspector::inspector;
+pub use crate::adapter::kinds;
+pub use crate::adapter::stage;
+pub use crate::adapter::traced_world::TracedWorld;
+pub use crate::adapter::views::{Views, traced_scene};
 #[doc(hidden)]
-pub use crate::program::{instruments, instruments::pixel_trace::paint};
+pub use crate::adapter::{instruments, instruments::pixel_trace::paint};
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
 pub use orthographic_camera::OrthographicCamera;

@@ -4,12 +4,12 @@
 //! within an [`Interval`], and has no colour. The [`World`] pairs each geometry
 //! with a surface and finds the nearest hit.
 
+mod adapter;
 mod axis_aligned_box;
 mod geometry;
 mod hit;
 mod interval;
 mod plane;
-mod program;
 mod scaled_ray;
 #[doc(hidden)]
 pub mod scenes;
@@ -18,9 +18,9 @@ mod triangle;
 mod world;
 
 #[doc(hidden)]
-pub use crate::program::instruments;
-pub use crate::program::kinds;
-pub use crate::program::stage;
+pub use crate::adapter::instruments;
+pub use crate::adapter::kinds;
+pub use crate::adapter::stage;
 pub use axis_aligned_box::AxisAlignedBox;
 pub use geometry::Geometry;
 pub use hit::Hit;

@@ -4,6 +4,7 @@
 //! [`Material`] adds up the light that it reflects. It takes the light from
 //! [`Lighting`], because a later stage has shadows.
 
+mod adapter;
 mod directional_light;
 mod lambert;
 mod light;
@@ -14,16 +15,15 @@ mod phong;
 mod point_light;
 #[doc(hidden)]
 pub mod power;
-mod program;
 #[doc(hidden)]
 pub mod scenes;
 mod single_color;
 mod spot_light;
 
 #[doc(hidden)]
-pub use crate::program::instruments;
-pub use crate::program::kinds;
-pub use crate::program::stage;
+pub use crate::adapter::instruments;
+pub use crate::adapter::kinds;
+pub use crate::adapter::stage;
 pub use directional_light::DirectionalLight;
 pub use lambert::Lambert;
 pub use light::{Illumination, Light};

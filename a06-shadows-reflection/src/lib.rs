@@ -3,9 +3,9 @@
 //! The [`RecursiveTracer`] finds the light that reaches a hit with shadow rays,
 //! and follows reflected rays from surface to surface.
 
+mod adapter;
 mod light_source;
 mod mirror_direction;
-mod program;
 mod recursive_tracer;
 mod reflective;
 #[doc(hidden)]
@@ -15,9 +15,9 @@ mod shadow;
 mod surface;
 
 #[doc(hidden)]
-pub use crate::program::instruments;
-pub use crate::program::kinds;
-pub use crate::program::{RecursiveWorld, stage, traced, traced_with};
+pub use crate::adapter::instruments;
+pub use crate::adapter::kinds;
+pub use crate::adapter::{RecursiveWorld, stage, traced, traced_with};
 pub use light_source::LightSource;
 pub use mirror_direction::mirror_direction;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
