@@ -29,7 +29,8 @@ if (location.pathname.endsWith('print.html')) {
 addEventListener('beforeprint', openAll);
 
 const openTarget = () => {
-    if (!location.hash) {
+    // A link of the editor has a scene behind the #.
+    if (!/^#(?!scene=)./.test(location.hash)) {
         return;
     }
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));

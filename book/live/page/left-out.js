@@ -22,7 +22,7 @@ live.LeftOut = class {
             this.question,
             live.div('live-drawings', live.div('live-beside', live.div('', this.canvas, this.poster), this.bytes), this.counts),
             this.switches,
-            live.div('live-controls live-timed', ...this.run.controls));
+            live.div('live-controls', ...this.run.controls));
         this.complain = live.failure(this);
         this.update = live.newest(() => this.count(), this.complain);
         // The questions of scenes and renderers, and those that are answered.

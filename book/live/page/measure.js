@@ -12,7 +12,7 @@ live.Measure = class {
     ];
     constructor(before) {
         this.subject = live.select('what is measured', live.Measure.subjects, () => this.choose());
-        this.methods = live.element('span', { className: 'live-methods', role: 'group', 'aria-label': 'methods' });
+        this.methods = live.element('span', { role: 'group', 'aria-label': 'methods' });
         this.question = live.element('div');
         this.run = new live.Run('measure', () => this.measure());
         this.verdict = live.element('div', { className: 'live-verdict', role: 'status' });
