@@ -8,6 +8,9 @@
 
 use common::*;
 
+mod ball_scenes;
+mod workbench;
+
 /// What a student's file gets by `use crate::functions::*;`.
 #[allow(unused_imports, reason = "each answer uses some")]
 mod functions {

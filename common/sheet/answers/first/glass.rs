@@ -2,7 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::functions::{self, *};
+use crate::functions::*;
+use crate::workbench::*;
 
 /// Rays that carry less of the pixel than this are not followed.
 const LEAST_WEIGHT: f64 = 1e-6;
@@ -47,6 +48,10 @@ struct Seen {
 }
 
 impl World {
+    fn light(&self, ray: &Ray) -> Color {
+        self.trace(ray, self.depth, 1.0).light
+    }
+
     fn trace(&self, ray: &Ray, depth: u32, weight: f64) -> Seen {
         if depth == 0 || weight < LEAST_WEIGHT {
             return Seen {
@@ -106,6 +111,14 @@ impl World {
         nearest
     }
 
+    const fn new(sky: fn(Vector3) -> Color, depth: u32) -> Self {
+        Self {
+            objects: Vec::new(),
+            sky,
+            depth,
+        }
+    }
+
     fn with(mut self, shape: impl Geometry, matter: Matter) -> Self {
         self.objects.push((Box::new(shape), matter));
         self
@@ -128,16 +141,16 @@ fn reflectance(from: f64, to: f64, cos: f64, beyond: f64) -> f64 {
     f64::midpoint(across, along)
 }
 
-fn glass() -> Matter {
-    Matter::Glass {
-        outside: 1.0,
-        inside: 1.5,
-    }
-}
+const GLASS: Matter = Matter::Glass {
+    outside: 1.0,
+    inside: 1.5,
+};
 
-fn up() -> Vector3 {
-    Vector3::new(0.0, 1.0, 0.0)
-}
+/// Air in glass.
+const AIR: Matter = Matter::Glass {
+    outside: 1.5,
+    inside: 1.0,
+};
 
 /// A plate before a wall of two halves, seen at this angle.
 fn plate_world(depth: u32) -> Result<World, Error> {
@@ -145,29 +158,23 @@ fn plate_world(depth: u32) -> Result<World, Error> {
     let corner = Point3::new(-1e5, -1e5, -1.0);
     let plate = AxisAlignedBox::new(corner, Point3::new(1e5, 1e5, 0.0))?;
     let behind = Plane::new(Point3::new(0.0, 0.0, -3.0), Normal3::new(0.0, 0.0, 1.0))?;
-    let world = World {
-        objects: Vec::new(),
-        sky: |_| Color::new(0.0, 1.0, 0.4),
-        depth,
-    };
-    let world = world.with(plate, glass());
+    let world = World::new(|_| Color::new(0.0, 1.0, 0.4), depth);
+    let world = world.with(plate, GLASS);
     Ok(world.with(behind, Matter::Glows(wall)))
 }
 
-fn plate_camera(degrees: f64) -> Result<OrthographicCamera, Error> {
-    let (sin, cos) = (
-        libm::sin(degrees.to_radians()),
-        libm::cos(degrees.to_radians()),
-    );
+fn plate_camera(degrees: f64) -> Result<Box<dyn Camera>, Error> {
+    let (sin, cos) = libm::sincos(degrees.to_radians());
     let eye = Point3::new(-6.0 * sin / cos, 0.0, 3.0);
-    let gaze = Vector3::new(sin, 0.0, -cos);
-    Ok(OrthographicCamera::new(eye, gaze, up(), 3.0)?)
+    parallel(eye, Vector3::new(sin, 0.0, -cos), 3.0)
 }
 
 fn plate(degrees: f64, red: f64, depth: u32) -> Result<Image, Error> {
-    let camera = plate_camera(degrees)?;
+    let world = plate_world(depth)?;
     let brightness = Color::new(red, 1.0, 1.0);
-    Ok(picture(&plate_world(depth)?, &camera, 301)?.map(|color| color * brightness))
+    picture(&*plate_camera(degrees)?, [301, 301], |ray| {
+        world.light(ray) * brightness
+    })
 }
 
 /// The surface of glass from below.
@@ -175,48 +182,34 @@ fn window(depth: u32) -> Result<Image, Error> {
     let out = Normal3::new(0.0, 0.0, 1.0);
     let surface = Plane::new(Point3::ORIGIN, out)?;
     let wall = Plane::new(Point3::new(0.0, 0.0, -3.0), out)?;
-    let world = World {
-        objects: Vec::new(),
-        sky: |_| Color::GREEN,
-        depth,
-    };
-    let world = world.with(surface, glass());
-    let world = world.with(wall, Matter::Glows(|_| Color::RED));
+    let world = World::new(|_| Color::GREEN, depth)
+        .with(surface, GLASS)
+        .with(wall, Matter::Glows(|_| Color::RED));
     let eye = Point3::new(0.0, 0.0, -1.0);
-    let camera = PerspectiveCamera::new(eye, Vector3::new(0.0, 0.0, 1.0), up(), FRAC_PI_2)?;
-    picture(&world, &camera, 301)
+    let camera = perspective(eye, -AHEAD, FRAC_PI_2)?;
+    picture(&*camera, [301, 301], |ray| world.light(ray))
 }
 
 /// A ball of glass, in which there may be a ball of air.
 fn ball(hollow: bool, depth: u32) -> Result<Image, Error> {
-    let mut world = World {
-        objects: Vec::new(),
-        sky: |d| Color::gray(f64::from(u8::from(d.y() > -0.5))),
-        depth,
-    };
-    world = world.with(Sphere::new(Point3::ORIGIN, 1.0)?, glass());
+    let mut world = World::new(|d| white_if(d.y() > -0.5), depth)
+        .with(Sphere::new(Point3::ORIGIN, 1.0)?, GLASS);
     if hollow {
-        let air = Matter::Glass {
-            outside: 1.5,
-            inside: 1.0,
-        };
-        world = world.with(Sphere::new(Point3::ORIGIN, 0.5)?, air);
+        world = world.with(Sphere::new(Point3::ORIGIN, 0.5)?, AIR);
     }
     let eye = Point3::new(0.0, 0.0, 5.0);
-    let camera = OrthographicCamera::new(eye, Vector3::new(0.0, 0.0, -1.0), up(), 2.5)?;
-    picture(&world, &camera, 251)
+    picture(&*parallel(eye, AHEAD, 2.5)?, [251, 251], |ray| world.light(ray))
 }
 
 /// How many rays are followed for each pixel of the plate.
 fn count(depth: u32) -> Result<Image, Error> {
     let world = plate_world(depth)?;
     let rays = |ray: &Ray| Color::gray(f64::from(world.trace(ray, depth, 1.0).rays) / 64.0);
-    functions::render(&plate_camera(0.0)?, rays, &settings(301)?, &())
+    picture(&*plate_camera(0.0)?, [301, 301], rays)
 }
 
 /// The picture of the book: a ball, a bubble and a plate on a board, before a red ball and the sun.
 fn still(samples: u32) -> Result<Image, Error> {
-    let up_normal = Normal3::new(0.0, 1.0, 0.0);
     let floor = Matter::Glows(|p| {
         let is_light = (p.x().floor() + p.z().floor()).rem_euclid(2.0) == 1.0;
         let field = if is_light {
@@ -228,52 +221,25 @@ fn still(samples: u32) -> Result<Image, Error> {
         field * (1.0 - far) + HORIZON * far
     });
     let red = Matter::Glows(|p| Color::new(0.15 + 0.5 * p.y(), 0.05 * p.y(), 0.03 * p.y()));
-    let air = Matter::Glass {
-        outside: 1.5,
-        inside: 1.0,
-    };
     let bubble = Point3::new(1.1, 0.6, 1.9);
     let [low, high] = [Point3::new(0.2, 0.0, -0.4), Point3::new(1.8, 1.3, 0.3)];
-    let world = World {
-        objects: Vec::new(),
-        sky: |d| {
-            let height = d.y().max(0.0).sqrt();
-            let sky = HORIZON * (1.0 - height) + Color::new(0.08, 0.2, 0.5) * height;
-            let to_sun = d.dot(Vector3::new(-0.48, 0.6, 0.64));
-            sky + Color::gray(if to_sun > 0.995 { 8.0 } else { 0.0 })
-        },
-        depth: 12,
+    let sky = |d: Vector3| {
+        let height = d.y().max(0.0).sqrt();
+        let sky = HORIZON * (1.0 - height) + Color::new(0.08, 0.2, 0.5) * height;
+        let to_sun = d.dot(Vector3::new(-0.48, 0.6, 0.64));
+        sky + white_if(to_sun > 0.995) * 8.0
     };
-    let world = world
-        .with(Plane::new(Point3::ORIGIN, up_normal)?, floor)
+    let world = World::new(sky, 12)
+        .with(Plane::new(Point3::ORIGIN, UP.as_normal())?, floor)
         .with(Sphere::new(Point3::new(2.0, 0.9, -1.8), 0.9)?, red)
-        .with(Sphere::new(Point3::new(-1.2, 1.1, 0.4), 1.1)?, glass())
-        .with(Sphere::new(bubble, 0.6)?, glass())
-        .with(Sphere::new(bubble, 0.54)?, air)
-        .with(AxisAlignedBox::new(low, high)?, glass());
+        .with(Sphere::new(Point3::new(-1.2, 1.1, 0.4), 1.1)?, GLASS)
+        .with(Sphere::new(bubble, 0.6)?, GLASS)
+        .with(Sphere::new(bubble, 0.54)?, AIR)
+        .with(AxisAlignedBox::new(low, high)?, GLASS);
     let eye = Point3::new(-0.6, 1.9, 7.0);
     let gaze = Point3::new(0.1, 0.85, 0.0) - eye;
-    let camera = PerspectiveCamera::new(eye, gaze, up(), 34_f64.to_radians())?;
-    let settings = Settings {
-        size: Size::new(640, 400)?,
-        samples,
-        sampling: Sampling::Stratified,
-        ..Settings::default()
-    };
-    let light = |ray: &Ray| world.trace(ray, world.depth, 1.0).light.map(|l| l.min(1.0));
-    let image = functions::render(&camera, light, &settings, &())?;
-    Ok(image.map(|color| color.map(|channel| Transfer::Srgb.encode(channel))))
-}
-
-fn picture(world: &World, camera: &(impl Camera + ?Sized), width: u32) -> Result<Image, Error> {
-    let light = |ray: &Ray| world.trace(ray, world.depth, 1.0).light;
-    functions::render(camera, light, &settings(width)?, &())
-}
-
-/// A square picture with one ray through the middle of each pixel.
-fn settings(width: u32) -> Result<Settings, Error> {
-    Ok(Settings {
-        size: Size::new(width, width)?,
-        ..Settings::default()
-    })
+    let camera = perspective(eye, gaze, 34_f64.to_radians())?;
+    let light = |ray: &Ray| world.light(ray).map(|l| l.min(1.0));
+    let image = sampled_picture(&*camera, [640, 400], samples, light)?;
+    Ok(for_screens(image))
 }

@@ -1,6 +1,7 @@
 //! A lamp with an area: a rectangle, with one sample in each square of a grid.
 
 use crate::functions::*;
+use crate::workbench::*;
 
 /// A lamp that glows with 1 on one side and is itself not seen.
 struct Lamp {
@@ -15,7 +16,7 @@ struct Scene {
     /// The ball that may stand in the light: its middle and its radius.
     ball: Option<(Point3, f64)>,
     shows: Shows,
-    camera: PerspectiveCamera,
+    camera: Box<dyn Camera>,
     size: Size,
 }
 
@@ -106,7 +107,7 @@ fn lying([x, y, z]: [f64; 3], width: f64, depth: f64) -> Lamp {
 }
 
 fn scene(name: &str) -> Result<Scene, Error> {
-    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let floor = Plane::new(Point3::ORIGIN, UP.as_normal())?;
     let objects = World::new(Color::BLACK)?.with(floor, Color::WHITE);
     let (c, r) = (Point3::new(2.0, 0.75, 0.0), 0.25);
     let (objects, lamp) = match name {
@@ -128,7 +129,8 @@ fn scene(name: &str) -> Result<Scene, Error> {
             (objects.with(ball, Color::WHITE), lamp)
         }
     };
-    let [down, up] = [Vector3::new(0.0, -1.0, 0.0), Vector3::new(0.0, 0.0, -1.0)];
+    let eye = Point3::new(2.0, 2.0, 0.0);
+    let camera = PerspectiveCamera::new(eye, -UP, AHEAD, FRAC_PI_2)?;
     Ok(Scene {
         objects,
         lamp,
@@ -138,7 +140,7 @@ fn scene(name: &str) -> Result<Scene, Error> {
             "lamp-rays" => Shows::Rays,
             _ => Shows::Share,
         },
-        camera: PerspectiveCamera::new(Point3::new(2.0, 2.0, 0.0), down, up, FRAC_PI_2)?,
+        camera: Box::new(camera),
         size: Size::new(300, 200)?,
     })
 }
@@ -146,7 +148,7 @@ fn scene(name: &str) -> Result<Scene, Error> {
 /// The picture behind the dares: balls that rise above a floor.
 fn staircase() -> Result<Scene, Error> {
     // A white floor reflects this times the radiance of the lamp, which is 16.
-    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let floor = Plane::new(Point3::ORIGIN, UP.as_normal())?;
     let wall = Plane::new(Point3::new(0.0, 0.0, -3.0), Normal3::new(0.0, 0.0, 1.0))?;
     let stone = Color::new(0.8, 0.74, 0.66) * 16.0;
     let mut objects = World::new(Color::BLACK)?
@@ -160,14 +162,13 @@ fn staircase() -> Result<Scene, Error> {
         let color = Color::new(color[0], color[1], color[2]) * 16.0;
         objects = objects.with(Sphere::new(c, 0.45)?, color);
     }
-    let gaze = Vector3::new(0.0, -2.4, -7.5);
-    let up = Vector3::new(0.0, 1.0, 0.0);
+    let eye = Point3::new(0.0, 3.3, 7.5);
     Ok(Scene {
         objects,
         lamp: lying([-2.0, 6.0, 1.0], 2.0, 2.0),
         ball: None,
         shows: Shows::Light,
-        camera: PerspectiveCamera::new(Point3::new(0.0, 3.3, 7.5), gaze, up, FRAC_PI_4)?,
+        camera: perspective(eye, Vector3::new(0.0, -2.4, -7.5), FRAC_PI_4)?,
         size: Size::new(640, 400)?,
     })
 }
@@ -181,7 +182,7 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
         "lamp-own" => &[(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)],
         _ => &[(0.5, 0.5)],
     };
-    Image::from_fn(scene.size, |column, row| {
+    let image = Image::from_fn(scene.size, |column, row| {
         let random = PixelRandom::new(crate::seed(), column, row);
         let mut sum = Color::BLACK;
         for place in places {
@@ -189,11 +190,10 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
             let ray = scene.camera.ray_for(scene.size, x, y);
             sum += scene.color(&ray, samples, random);
         }
-        let mean = sum * (1.0 / places.len() as f64);
-        match name {
-            // As screens show it.
-            "lamp-own" => mean.map(|light| libm::pow(light, 1.0 / 2.2)),
-            _ => mean,
-        }
+        sum * (1.0 / places.len() as f64)
+    })?;
+    Ok(match name {
+        "lamp-own" => for_screens(image),
+        _ => image,
     })
 }

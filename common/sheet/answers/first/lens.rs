@@ -1,6 +1,7 @@
 //! A lens: rays from random points of a disc, which meet in the plane in focus.
 
 use crate::functions::*;
+use crate::workbench::*;
 
 #[derive(Clone, Copy)]
 struct Lens {
@@ -75,7 +76,7 @@ fn scene(name: &str) -> Result<Scene, Error> {
             },
         },
         eye: Point3::ORIGIN,
-        gaze: Vector3::new(0.0, 0.0, -1.0),
+        gaze: AHEAD,
         angle: FRAC_PI_2,
         size: Size::new(300, 200)?,
     })
@@ -84,10 +85,9 @@ fn scene(name: &str) -> Result<Scene, Error> {
 /// The picture behind the dares: a row of balls at night.
 fn night() -> Result<Scene, Error> {
     let random = PixelRandom::new(7, 0, 0);
-    let up = Normal3::new(0.0, 1.0, 0.0);
     let wet = Reflective::new(Color::gray(0.03), Color::BLACK, 1.0, Color::gray(0.4))?;
     let mut world = ShadowedWorld::empty(Color::new(0.004, 0.006, 0.014), Color::gray(0.12))?
-        .with(Plane::new(Point3::ORIGIN, up)?, Box::new(wet));
+        .with(Plane::new(Point3::ORIGIN, UP.as_normal())?, Box::new(wet));
     for i in 0..7 {
         let step = f64::from(i);
         let color = Color::new(0.8 - 0.13 * step, 0.06 + 0.03 * step, 0.02 + 0.1 * step);
@@ -129,10 +129,9 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
         "lens-own" => night(),
         _ => scene(name),
     }?;
-    let up = Vector3::new(0.0, 1.0, 0.0);
-    let basis = Basis::new(eye, gaze, up)?;
-    let camera = PerspectiveCamera::new(eye, gaze, up, angle)?;
-    Image::from_fn(size, |column, row| {
+    let basis = Basis::new(eye, gaze, UP)?;
+    let camera = perspective(eye, gaze, angle)?;
+    let image = Image::from_fn(size, |column, row| {
         let random = PixelRandom::new(crate::seed(), column, row);
         let (x, y) = camera_coordinates(size, column, row, (0.5, 0.5));
         let ray = camera.ray_for(size, x, y);
@@ -147,11 +146,10 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
             let place = [2 * i, 2 * i + 1].map(|n| random.uniform(n));
             sum += light_along(&lens.refract(&basis, &ray, place));
         }
-        let mean = sum * (1.0 / f64::from(count));
-        match name {
-            // As screens show it.
-            "lens-own" => mean.map(|light| libm::pow(light, 1.0 / 2.2)),
-            _ => mean,
-        }
+        sum * (1.0 / f64::from(count))
+    })?;
+    Ok(match name {
+        "lens-own" => for_screens(image),
+        _ => image,
     })
 }

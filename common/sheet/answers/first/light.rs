@@ -1,6 +1,7 @@
 //! Light that has been everywhere: a path from surface to surface, and a weight that it carries along.
 
 use crate::functions::*;
+use crate::workbench::*;
 
 /// A surface that glows, and reflects the same to all sides.
 #[derive(Clone, Copy)]
@@ -111,18 +112,14 @@ impl Scene {
     }
 }
 
-const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
-const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
-
 /// From the middle of a ball that glows with 1.
-fn furnace(reflectance: f64, [columns, rows]: [u32; 2]) -> Result<Scene, Error> {
+fn furnace(reflectance: f64, pixels: [u32; 2]) -> Result<Scene, Error> {
     let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
-    let camera = PerspectiveCamera::new(Point3::ORIGIN, AHEAD, UP, FRAC_PI_2)?;
     Ok(Scene {
         objects: World::new(Color::BLACK)?.with(ball, Matter::gray(1.0, reflectance)),
         sky: |_| 0.0,
-        camera: Box::new(camera),
-        size: Size::new(columns, rows)?,
+        camera: perspective(Point3::ORIGIN, AHEAD, FRAC_PI_2)?,
+        size: size(pixels)?,
         paths: 1,
         ends: Ends::Roulette,
         factor: 1.0,
@@ -149,12 +146,11 @@ fn floor(reflectance: f64, sky: fn(Vector3) -> f64, paths: u32) -> Result<Scene,
 /// A ball before a sky whose upper half is 1.
 fn ball(paths: u32) -> Result<Scene, Error> {
     let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
-    let camera = OrthographicCamera::new(Point3::new(0.0, 0.0, 5.0), AHEAD, UP, 2.0)?;
     Ok(Scene {
         objects: World::new(Color::BLACK)?.with(ball, Matter::gray(0.0, 0.8)),
-        camera: Box::new(camera),
+        camera: parallel(Point3::new(0.0, 0.0, 5.0), AHEAD, 2.0)?,
         size: Size::new(101, 101)?,
-        ..floor(0.0, |d| if d.y() > 0.0 { 1.0 } else { 0.0 }, paths)?
+        ..floor(0.0, |d| white_if(d.y() > 0.0).r, paths)?
     })
 }
 
@@ -192,10 +188,9 @@ fn room(paths: u32) -> Result<Scene, Error> {
         )
         .with(sphere(0.8, 0.7, -0.9, 0.7)?, matter(0.85, 0.85, 0.85))
         .with(sphere(-0.5, 0.4, 0.2, 0.4)?, matter(0.85, 0.6, 0.15));
-    let camera = PerspectiveCamera::new(Point3::new(0.0, 1.5, 5.8), AHEAD, UP, 0.62)?;
     Ok(Scene {
         objects,
-        camera: Box::new(camera),
+        camera: perspective(Point3::new(0.0, 1.5, 5.8), AHEAD, 0.62)?,
         size: Size::new(480, 400)?,
         paths,
         ..furnace(0.0, [1, 1])?
@@ -221,16 +216,8 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
         },
         "light-zenith" => floor(0.9, Vector3::y, samples)?,
         "light-ball" => ball(samples)?,
-        "light-own" => {
-            let image = room(samples)?.draw()?;
-            // As screens show it.
-            return Ok(image.map(|mean| mean.map(|light| libm::pow(light, 1.0 / 2.2))));
-        }
-        _ => floor(
-            0.5,
-            |d| if 2.0 * d.x() + d.z() > 0.0 { 1.0 } else { 0.0 },
-            samples,
-        )?,
+        "light-own" => return Ok(for_screens(room(samples)?.draw()?)),
+        _ => floor(0.5, |d| white_if(2.0 * d.x() + d.z() > 0.0).r, samples)?,
     }
     .draw()
 }

@@ -2,9 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::functions::{self, *};
+use crate::functions::*;
+use crate::workbench::*;
 
-const RADIUS: f64 = 1.0;
+const SKY: Color = Color::new(0.3, 0.5, 0.9);
 
 /// The colour at two coordinates on a surface.
 type Pattern = fn(f64, f64) -> Color;
@@ -13,8 +14,8 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     match scene {
         "patterns-floor" => floor(0.0, samples),
         "patterns-far" => floor(-3e9, samples),
-        "patterns-ball" => ball(5.0, samples, &chessboard_on_ball),
-        "patterns-picture" => ball(-5.0, samples, &picture_on_ball),
+        "patterns-ball" => ball(5.0, samples, chessboard_on_ball),
+        "patterns-picture" => ball(-5.0, samples, picture_on_ball),
         "patterns-count" => count(samples),
         "patterns-still" => still(samples),
         _ => panic!("there is no scene {scene}"),
@@ -27,11 +28,7 @@ fn stripes(x: f64) -> bool {
 }
 
 fn chessboard(x: f64, y: f64) -> Color {
-    if stripes(x) == stripes(y) {
-        Color::BLACK
-    } else {
-        Color::WHITE
-    }
+    white_if(stripes(x) != stripes(y))
 }
 
 fn chessboard_on_ball(longitude: f64, latitude: f64) -> Color {
@@ -51,28 +48,11 @@ fn picture_on_ball(longitude: f64, latitude: f64) -> Color {
 }
 
 fn floor(x: f64, samples: u32) -> Result<Image, Error> {
-    functions::render(
-        &floor_camera(x)?,
-        floor_color,
-        &floor_settings(samples)?,
-        &(),
-    )
+    sampled_picture(&*floor_camera(x)?, [320, 240], samples, floor_color)
 }
 
-fn floor_camera(x: f64) -> Result<PerspectiveCamera, Error> {
-    let eye = Point3::new(x, 8.0, 0.0);
-    let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-    Ok(PerspectiveCamera::new(eye, gaze, up, FRAC_PI_2)?)
-}
-
-fn floor_settings(samples: u32) -> Result<Settings, Error> {
-    Ok(Settings {
-        size: Size::new(320, 240)?,
-        sampling: Sampling::Stratified,
-        samples,
-        seed: crate::seed(),
-        ..Settings::default()
-    })
+fn floor_camera(x: f64) -> Result<Box<dyn Camera>, Error> {
+    perspective(Point3::new(x, 8.0, 0.0), AHEAD, FRAC_PI_2)
 }
 
 /// The chessboard on the plane y = 0, or the sky.
@@ -82,7 +62,7 @@ fn floor_color(ray: &Ray) -> Color {
         let p = ray.at(t);
         chessboard(p.x(), p.z())
     } else {
-        Color::new(0.3, 0.5, 0.9)
+        SKY
     }
 }
 
@@ -99,28 +79,17 @@ fn count(samples: u32) -> Result<Image, Error> {
             ray.at(t).z()
         });
         let is_floor = lower < 0.0;
-        let rays = if is_floor && (upper - lower).abs() > 10.0 {
-            1
-        } else {
-            samples
-        };
-        Color::gray(f64::from(rays) / 64.0)
+        let is_one = is_floor && (upper - lower).abs() > 10.0;
+        Color::gray(f64::from(if is_one { 1 } else { samples }) / 64.0)
     })
 }
 
 /// A ball around the origin, seen by parallel rays from this z.
-fn ball(
-    z: f64,
-    samples: u32,
-    pattern: &(dyn Fn(f64, f64) -> Color + Sync),
-) -> Result<Image, Error> {
-    let eye = Point3::new(0.0, 0.0, z);
-    let gaze = Vector3::new(0.0, 0.0, -z);
-    let camera = OrthographicCamera::new(eye, gaze, Vector3::new(0.0, 1.0, 0.0), 2.4)?;
-    let ball = Sphere::new(Point3::ORIGIN, RADIUS)?;
+fn ball(z: f64, samples: u32, pattern: Pattern) -> Result<Image, Error> {
+    let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
     let color = |ray: &Ray| {
         let Some(hit) = ball.hit(ray, Interval::AHEAD) else {
-            return Color::new(0.3, 0.5, 0.9);
+            return SKY;
         };
         let n = hit.normal;
         pattern(
@@ -128,17 +97,12 @@ fn ball(
             libm::asin(n.y().clamp(-1.0, 1.0)),
         )
     };
-    let sampling = if samples == 1 {
-        Sampling::Center
+    let camera = parallel(Point3::new(0.0, 0.0, z), AHEAD * z, 2.4)?;
+    if samples == 1 {
+        picture(&*camera, [241, 241], color)
     } else {
-        Sampling::Stratified
-    };
-    let settings = Settings {
-        size: Size::new(241, 241)?,
-        sampling,
-        ..floor_settings(samples)?
-    };
-    functions::render(&camera, color, &settings, &())
+        sampled_picture(&*camera, [241, 241], samples, color)
+    }
 }
 
 /// The picture of the book: stripes, board and picture on three balls, on a board, in the sun.
@@ -190,15 +154,11 @@ fn still(samples: u32) -> Result<Image, Error> {
         let p = ray.at(t);
         let field = floor_color(ray) * 0.7 + Color::new(0.05, 0.07, 0.1);
         let far = 1.0 - libm::exp(-t / 60.0);
-        lit(field, p, Vector3::new(0.0, 1.0, 0.0)) * (1.0 - far) + sky * far
+        lit(field, p, UP) * (1.0 - far) + sky * far
     };
     let eye = Point3::new(0.4, 2.4, 8.0);
     let gaze = Point3::new(0.0, 0.9, 0.0) - eye;
-    let camera = PerspectiveCamera::new(eye, gaze, Vector3::new(0.0, 1.0, 0.0), 0.55)?;
-    let settings = Settings {
-        size: Size::new(640, 400)?,
-        ..floor_settings(samples)?
-    };
-    let image = functions::render(&camera, color, &settings, &())?;
-    Ok(image.map(|color| color.map(|channel| Transfer::Srgb.encode(channel.min(1.0)))))
+    let camera = perspective(eye, gaze, 0.55)?;
+    let image = sampled_picture(&*camera, [640, 400], samples, color)?;
+    Ok(for_screens(image))
 }

@@ -3,7 +3,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::functions::{self, *};
+use crate::functions::*;
+use crate::workbench::*;
 
 const STEP: f64 = 1e-7;
 
@@ -32,10 +33,6 @@ struct Waiting {
     left: u32,
 }
 
-fn two_colors(is_first: bool, first: Color, second: Color) -> Color {
-    if is_first { first } else { second }
-}
-
 const PLATE: Room = Room {
     borders: &[Border::Level(0.0), Border::Level(-1.0)],
     index: |p| {
@@ -45,18 +42,12 @@ const PLATE: Room = Room {
             1.0
         }
     },
-    wall: Some(|p| {
-        two_colors(
-            p.x() < 0.0,
-            Color::new(1.0, 0.0, 0.4),
-            Color::new(0.0, 0.0, 0.4),
-        )
-    }),
+    wall: Some(|p| white_if(p.x() < 0.0) * Color::RED + Color::BLUE * 0.4),
     sky: |_| Color::new(0.0, 1.0, 0.4),
 };
 
 const BRIGHT_PLATE: Room = Room {
-    wall: Some(|p| two_colors(p.x() < 0.0, Color::RED * 5000.0, Color::BLACK)),
+    wall: Some(|p| white_if(p.x() < 0.0) * Color::RED * 5000.0),
     ..PLATE
 };
 
@@ -71,7 +62,7 @@ const BALL: Room = Room {
     borders: &[Border::Round(1.0)],
     index: |p| if distance(p) < 1.0 { 1.5 } else { 1.0 },
     wall: None,
-    sky: |d| two_colors(d.y() > -0.5, Color::WHITE, Color::BLACK),
+    sky: |d| white_if(d.y() > -0.5),
 };
 
 const BUBBLE: Room = Room {
@@ -96,50 +87,32 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     } else {
         301
     };
-    let settings = Settings {
-        size: Size::new(side, side)?,
-        ..Settings::default()
-    };
+    let eye = Point3::new(0.0, 0.0, 5.0);
+    let below = Point3::new(0.0, 0.0, -1.0);
     let (room, camera) = match scene {
         "glass-plate-0" | "glass-count" => (PLATE, aslant(0.0)?),
         "glass-plate-45" => (PLATE, aslant(45.0)?),
         "glass-plate-80" => (PLATE, aslant(80.0)?),
         "glass-grazing" => (BRIGHT_PLATE, aslant(89.9)?),
-        "glass-ball" => (BALL, straight()?),
-        "glass-bubble" => (BUBBLE, straight()?),
-        "glass-window" => (POOL, from_below()?),
+        "glass-ball" => (BALL, parallel(eye, AHEAD, 2.5)?),
+        "glass-bubble" => (BUBBLE, parallel(eye, AHEAD, 2.5)?),
+        "glass-window" => (POOL, perspective(below, -AHEAD, FRAC_PI_2)?),
         _ => panic!("there is no scene {scene}"),
     };
-    let color = |ray: &Ray| {
+    picture(&*camera, [side, side], |ray| {
         let (light, rays) = follow(&room, *ray, samples);
-        if scene == "glass-count" {
-            return Color::gray(f64::from(rays) / 64.0);
+        match scene {
+            "glass-count" => Color::gray(f64::from(rays) / 64.0),
+            _ => light,
         }
-        light
-    };
-    functions::render(&camera, color, &settings, &())
+    })
 }
 
 fn aslant(degrees: f64) -> Result<Box<dyn Camera>, Error> {
     let angle = degrees.to_radians();
     let eye = Point3::new(-6.0 * libm::tan(angle), 0.0, 3.0);
     let gaze = Vector3::new(libm::sin(angle), 0.0, -libm::cos(angle));
-    let up = Vector3::new(0.0, 1.0, 0.0);
-    Ok(Box::new(OrthographicCamera::new(eye, gaze, up, 3.0)?))
-}
-
-fn straight() -> Result<Box<dyn Camera>, Error> {
-    let up = Vector3::new(0.0, 1.0, 0.0);
-    let gaze = Vector3::new(0.0, 0.0, -1.0);
-    let eye = Point3::new(0.0, 0.0, 5.0);
-    Ok(Box::new(OrthographicCamera::new(eye, gaze, up, 2.5)?))
-}
-
-fn from_below() -> Result<Box<dyn Camera>, Error> {
-    let up = Vector3::new(0.0, 1.0, 0.0);
-    let eye = Point3::new(0.0, 0.0, -1.0);
-    let gaze = Vector3::new(0.0, 0.0, 1.0);
-    Ok(Box::new(PerspectiveCamera::new(eye, gaze, up, FRAC_PI_2)?))
+    parallel(eye, gaze, 3.0)
 }
 
 /// The light along a ray, and the number of rays that were followed.

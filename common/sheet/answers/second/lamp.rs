@@ -2,6 +2,7 @@
 //! its light.
 
 use crate::functions::*;
+use crate::workbench::*;
 
 /// A rectangle: a flat box, whose front looks along `facing`.
 struct Lamp {
@@ -91,7 +92,7 @@ fn light(lamp: &Lamp, ray: &Ray, hit: &Hit, set: impl Iterator<Item = (f64, f64)
 }
 
 pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
-    let down = Vector3::new(0.0, -1.0, 0.0);
+    let down = -UP;
     let lamp = match scene {
         "lamp-wall" => lamp([[-3.75, 5.0, -1.0], [-2.25, 5.0, 1.0]], down),
         "lamp-light" => lamp([[1.0, 1.0, -1.0], [3.0, 1.0, 1.0]], down),
@@ -104,7 +105,7 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     let corners = [Point3::new(-0.2, 0.0, -20.0), Point3::new(0.0, 2.0, 20.0)];
     let wall = AxisAlignedBox::new(corners[0], corners[1])?;
     let ball = Sphere::new(Point3::new(2.0, 0.75, 0.0), 0.25)?;
-    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let floor = Plane::new(Point3::ORIGIN, UP.as_normal())?;
     let objects = World::new(Color::BLACK)?.with(floor, ());
     let objects = match scene {
         "lamp-wall" => objects.with(wall, ()),

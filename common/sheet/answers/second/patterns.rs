@@ -4,6 +4,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::functions::*;
+use crate::workbench::*;
 
 /// What a surface shows at two numbers that measure it.
 enum Pattern {
@@ -27,11 +28,11 @@ impl Pattern {
                 let place = if *across { u } else { v };
                 // The place within a pair of stripes.
                 let within = place - 2.0 * (place / 2.0).floor();
-                Color::gray(if within < 1.0 { 0.0 } else { 1.0 })
+                white_if(within >= 1.0)
             }
             Self::Either(one, other) => {
                 let both = [one, other].map(|pattern| pattern.color(u, v).r > 0.5);
-                Color::gray(if both[0] == both[1] { 0.0 } else { 1.0 })
+                white_if(both[0] != both[1])
             }
             Self::Picture(picture) => {
                 let size = picture.size();
@@ -56,27 +57,24 @@ enum Body {
 
 struct Scene {
     camera: Box<dyn Camera>,
-    size: (u32, u32),
+    size: [u32; 2],
     body: Body,
     pattern: Pattern,
 }
 
 pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
-    let up = Vector3::new(0.0, 1.0, 0.0);
     let from_above = |x| -> Result<Scene, Error> {
-        let (eye, gaze) = (Point3::new(x, 8.0, 0.0), Vector3::new(0.0, 0.0, -1.0));
         Ok(Scene {
-            camera: Box::new(PerspectiveCamera::new(eye, gaze, up, FRAC_PI_2)?),
-            size: (320, 240),
+            camera: perspective(Point3::new(x, 8.0, 0.0), AHEAD, FRAC_PI_2)?,
+            size: [320, 240],
             body: Body::Floor,
             pattern: Pattern::board(),
         })
     };
     let round = |z: f64, to_measure, pattern| -> Result<Scene, Error> {
-        let (eye, gaze) = (Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, -z));
         Ok(Scene {
-            camera: Box::new(OrthographicCamera::new(eye, gaze, up, 2.4)?),
-            size: (241, 241),
+            camera: parallel(Point3::new(0.0, 0.0, z), AHEAD * z, 2.4)?,
+            size: [241, 241],
             body: Body::Ball { to_measure },
             pattern,
         })
@@ -103,8 +101,7 @@ pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
 }
 
 fn picture(scene: &Scene, samples: u32, counts: bool) -> Result<Image, Error> {
-    let (width, height) = scene.size;
-    let size = Size::new(width, height)?;
+    let size = size(scene.size)?;
     Image::from_fn(size, |column, row| {
         let random = PixelRandom::new(crate::seed(), column, row);
         // The whole distance along the floor is k² / 960 pixels for a field, k pixels below the horizon.
