@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 use std::{fs, iter};
 
+use ::sheet::Row;
 use toml::de::DeTable;
 
 use crate::{files, lines};
@@ -62,56 +63,36 @@ fn read_lists() -> Result<Vec<Exercise>, String> {
         let stage: &'static str = stage.leak();
         let path = format!("{stage}/{LIST}");
         let text = files::read(&path)?;
-        let rows = read_list(stage, text.leak());
-        course.extend(rows.map_err(|error| format!("{path}: {error}"))?);
+        course.extend(read_list(stage, &path, &text)?);
     }
     Ok(course)
 }
 
 /// The exercises of a list.
-fn read_list(stage: &'static str, text: &'static str) -> Result<Vec<Exercise>, String> {
-    let table = DeTable::parse(text).map_err(|error| error.to_string())?;
-    let rows = table.get_ref().get("exercise");
-    let rows = rows.and_then(|rows| rows.get_ref().as_array());
-    let mut exercises = Vec::new();
-    for (number, row) in rows.into_iter().flatten().enumerate() {
-        let row = row.get_ref().as_table();
-        let read = row.and_then(|row| read_row(stage, row));
-        exercises.push(read.ok_or_else(|| {
-            let number = number + 1;
-            format!("exercise {number} lacks its name, title, minutes, or one of them is of another kind")
-        })?);
-    }
-    Ok(exercises)
+fn read_list(stage: &'static str, path: &str, text: &str) -> Result<Vec<Exercise>, String> {
+    let table = DeTable::parse(text).map_err(|error| format!("{path}: {error}"))?;
+    let rows = Row::new(path, table.get_ref()).rows("exercise")?;
+    rows.iter().map(|row| read_row(stage, row)).collect()
 }
 
-fn read_row(stage: &'static str, row: &DeTable) -> Option<Exercise> {
-    let text = |key| -> Option<&'static str> {
-        let text = row.get(key)?.get_ref().as_str()?;
-        Some(text.to_owned().leak())
-    };
-    let minutes = row.get("minutes")?.get_ref().as_integer()?;
-    let mut words = Vec::new();
-    let hints = row
-        .get("hints")
-        .and_then(|hints| hints.get_ref().as_array());
-    for hint in hints.into_iter().flatten() {
-        let hint = hint.get_ref().as_str()?.trim();
-        words.push(&*hint.to_owned().leak());
-    }
-    let name = text("name")?;
-    let lesson = text("lesson");
-    let own = || format!("{stage}/exercises/solutions/{name}.rs").leak();
-    Some(Exercise {
+fn read_row(stage: &'static str, row: &Row) -> Result<Exercise, String> {
+    let leak = |text: String| -> &'static str { text.leak() };
+    let name = leak(row.get("name")?);
+    let lesson = row.find("lesson")?;
+    let solution = lesson.unwrap_or_else(|| format!("{stage}/exercises/solutions/{name}.rs"));
+    let hints: Vec<String> = row.find("hints")?.unwrap_or_default();
+    let exercise = Exercise {
         name,
         stage,
-        title: text("title")?,
-        minutes: minutes.as_str().parse().ok()?,
-        teaches: text("teaches").unwrap_or_default(),
-        is_core: row.get("core").and_then(|core| core.get_ref().as_bool()) == Some(true),
-        solution: lesson.unwrap_or_else(|| own()),
-        words,
-    })
+        title: leak(row.get("title")?),
+        minutes: row.get("minutes")?,
+        teaches: leak(row.find("teaches")?.unwrap_or_default()),
+        is_core: row.find("core")?.unwrap_or_default(),
+        solution: leak(solution),
+        words: hints.into_iter().map(leak).collect(),
+    };
+    row.end()?;
+    Ok(exercise)
 }
 
 /// The exercise of this name.
@@ -208,8 +189,9 @@ mod tests {
     fn a_row_that_lacks_something_is_named() {
         let rows =
             "[[exercise]]\nname = \"a\"\ntitle = \"A\"\nminutes = 5\n[[exercise]]\nname = \"b\"\n";
-        let error = read_list("a01", rows).unwrap_err();
-        assert!(error.starts_with("exercise 2 lacks"), "{error}");
+        let error = read_list("a01", "list.toml", rows).unwrap_err();
+        let lacks = "list.toml, exercise 2 (b): `title` is missing";
+        assert!(error.starts_with(lacks), "{error}");
         assert!(find("spere").unwrap_err().ends_with("sphere"));
         assert!(find("nosuch").unwrap_err().contains("no name is like it"));
     }

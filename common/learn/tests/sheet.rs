@@ -123,7 +123,8 @@ fn learn(arguments: &[&str], mistake: &str) -> (String, bool) {
 fn each_program_gets_a_sentence() {
     let _ = fs::remove_dir_all(FOLDER);
     write("common/sheet/sheets/glass.toml", SHEET);
-    write("a01/exercises/exercises.toml", "");
+    let list = "[[exercise]]\nname = \"a\"\ntitle = \"A\"\nminutes = 1\n";
+    write("a01/exercises/exercises.toml", list);
     write("mine/src/main.rs", PROGRAM);
 
     let (printed, _) = learn(&[], "");

@@ -49,9 +49,9 @@ pub fn sampled_picture(
     functions::render(camera, color, &settings, &())
 }
 
-/// The picture as screens show it: light that is written as the number of a byte.
-pub fn for_screens(image: Image) -> Image {
-    image.map(|color| color.map(|light| Transfer::Srgb.encode(light.min(1.0))))
+/// The picture as screens show it, by a curve from light to bytes.
+pub fn for_screens(image: Image, curve: Transfer) -> Image {
+    image.map(|color| color.map(|light| curve.encode(light.min(1.0))))
 }
 
 /// White where something is so.

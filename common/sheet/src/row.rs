@@ -1,4 +1,4 @@
-//! `Row`: a table of a sheet's file. Its errors name the file, the row and the key, and it refuses keys that
+//! `Row`: a table of a sheet or of a list. Its errors name the file, the row and the key, and it refuses keys that
 //! nobody has asked for.
 
 use std::cell::RefCell;
@@ -6,11 +6,12 @@ use std::iter;
 
 use toml::de::{DeTable, DeValue};
 
-/// A value that a sheet has for a key.
+/// A value that a row has for a key.
 pub trait Value: Sized {
     /// What it must be, in words.
     fn form() -> String;
 
+    /// The value; none if it is of another form.
     fn read(value: &DeValue) -> Option<Self>;
 }
 
@@ -83,7 +84,8 @@ impl<T: Value, const N: usize> Value for [T; N] {
     }
 }
 
-/// A table of a sheet's file.
+/// A table of a file.
+#[derive(Debug)]
 pub struct Row<'a> {
     /// The file and the row, with which errors begin.
     pub place: String,
@@ -92,6 +94,8 @@ pub struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
+    /// The table of a file.
+    #[must_use]
     pub fn new(place: &str, table: &'a DeTable<'a>) -> Self {
         Self {
             place: place.to_owned(),
@@ -101,6 +105,7 @@ impl<'a> Row<'a> {
     }
 
     /// An error about a key.
+    #[must_use]
     pub fn error(&self, key: &str, problem: &str) -> String {
         format!("{}: `{key}` {problem}", self.place)
     }
@@ -130,7 +135,7 @@ impl<'a> Row<'a> {
     }
 
     /// The rows `[[key]]`.
-    pub fn rows(&self, key: &'static str) -> Result<Vec<Row<'_>>, String> {
+    pub fn rows(&self, key: &'static str) -> Result<Vec<Row<'a>>, String> {
         self.know(key);
         let list = self.table.get(key).map(|rows| rows.get_ref().as_array());
         let list = list.unwrap_or(None).into_iter().flatten();
@@ -146,7 +151,7 @@ impl<'a> Row<'a> {
             rows.push(Row::new(&place, table));
         }
         if rows.is_empty() {
-            return Err(self.error(key, &format!("is missing; a sheet has rows [[{key}]]")));
+            return Err(self.error(key, &format!("is missing; the file has rows [[{key}]]")));
         }
         Ok(rows)
     }

@@ -216,7 +216,7 @@ fn a_sheet_that_lacks_something_is_named() {
         (
             picture,
             "",
-            "glass.toml: `picture` is missing; a sheet has rows [[picture]]",
+            "glass.toml: `picture` is missing; the file has rows [[picture]]",
         ),
         (
             "size = [9, 9]",

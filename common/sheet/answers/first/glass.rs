@@ -241,5 +241,5 @@ fn still(samples: u32) -> Result<Image, Error> {
     let camera = perspective(eye, gaze, 34_f64.to_radians())?;
     let light = |ray: &Ray| world.light(ray).map(|l| l.min(1.0));
     let image = sampled_picture(&*camera, [640, 400], samples, light)?;
-    Ok(for_screens(image))
+    Ok(for_screens(image, Transfer::Srgb))
 }

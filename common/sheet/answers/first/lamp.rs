@@ -193,7 +193,7 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
         sum * (1.0 / places.len() as f64)
     })?;
     Ok(match name {
-        "lamp-own" => for_screens(image),
+        "lamp-own" => for_screens(image, Transfer::Gamma),
         _ => image,
     })
 }

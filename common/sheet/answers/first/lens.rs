@@ -149,7 +149,7 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
         sum * (1.0 / f64::from(count))
     })?;
     Ok(match name {
-        "lens-own" => for_screens(image),
+        "lens-own" => for_screens(image, Transfer::Gamma),
         _ => image,
     })
 }

@@ -160,5 +160,5 @@ fn still(samples: u32) -> Result<Image, Error> {
     let gaze = Point3::new(0.0, 0.9, 0.0) - eye;
     let camera = perspective(eye, gaze, 0.55)?;
     let image = sampled_picture(&*camera, [640, 400], samples, color)?;
-    Ok(for_screens(image))
+    Ok(for_screens(image, Transfer::Srgb))
 }

@@ -226,5 +226,5 @@ fn still(count: u32) -> Result<Image, Error> {
     let eye = Point3::new(0.0, 6.5, 12.0);
     let camera = perspective(eye, Point3::new(0.0, -1.0, 0.8) - eye, 0.66)?;
     let image = sampled_picture(&*camera, [640, 400], 25, color)?;
-    Ok(for_screens(image))
+    Ok(for_screens(image, Transfer::Srgb))
 }

@@ -6,64 +6,22 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use learn::sheet::Program;
-use sheet::{Facts, Judgement, Sheet};
+use sheet::{Facts, Judgement, Row, Sheet};
 use toml::de::DeTable;
 
 const SEEDS: [u32; 3] = [0, 1, 2];
 
-#[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "its pictures take too long without optimisation"
-)]
-fn tree() {
-    answers_are_told_apart("tree");
+macro_rules! test_sheets {
+    ($($name:ident)*) => { $(
+        #[test]
+        #[cfg_attr(debug_assertions, ignore = "its pictures take too long without optimisation")]
+        fn $name() {
+            answers_are_told_apart(stringify!($name));
+        }
+    )* };
 }
 
-#[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "its pictures take too long without optimisation"
-)]
-fn patterns() {
-    answers_are_told_apart("patterns");
-}
-
-#[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "its pictures take too long without optimisation"
-)]
-fn glass() {
-    answers_are_told_apart("glass");
-}
-
-#[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "its pictures take too long without optimisation"
-)]
-fn lamp() {
-    answers_are_told_apart("lamp");
-}
-
-#[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "its pictures take too long without optimisation"
-)]
-fn lens() {
-    answers_are_told_apart("lens");
-}
-
-#[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "its pictures take too long without optimisation"
-)]
-fn light() {
-    answers_are_told_apart("light");
-}
+test_sheets!(tree patterns glass lamp lens light);
 
 /// A row of `wrong/NAME.toml`.
 struct Wrong {
@@ -76,18 +34,13 @@ fn wrong_answers(sheet: &str) -> Vec<Wrong> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("wrong/{sheet}.toml"));
     let text = fs::read_to_string(path).unwrap();
     let table = DeTable::parse(&text).unwrap();
-    let rows = table
-        .get_ref()
-        .get("wrong")
-        .and_then(|rows| rows.get_ref().as_array());
+    let rows = Row::new(sheet, table.get_ref()).rows("wrong").unwrap();
     let mut wrong = Vec::new();
-    for (number, row) in rows.into_iter().flatten().enumerate() {
-        let row = row.get_ref().as_table().unwrap();
-        let text = |key| row[key].get_ref().as_str().expect(key).to_owned();
+    for (number, row) in rows.iter().enumerate() {
         wrong.push(Wrong {
             variant: format!("wrong/{sheet}/{number}"),
-            fails: text("fails"),
-            forgets: text("forgets"),
+            fails: row.get("fails").unwrap(),
+            forgets: row.get("forgets").unwrap(),
         });
     }
     wrong
