@@ -198,7 +198,9 @@ fn ball(hollow: bool, depth: u32) -> Result<Image, Error> {
         world = world.with(Sphere::new(Point3::ORIGIN, 0.5)?, AIR);
     }
     let eye = Point3::new(0.0, 0.0, 5.0);
-    picture(&*parallel(eye, AHEAD, 2.5)?, [251, 251], |ray| world.light(ray))
+    picture(&*parallel(eye, AHEAD, 2.5)?, [251, 251], |ray| {
+        world.light(ray)
+    })
 }
 
 /// How many rays are followed for each pixel of the plate.
