@@ -8,6 +8,9 @@ use common::{Color, picture_file};
 
 const FOLDER: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/sheet");
 
+/// The exercises of the workbook.
+const LIST: &str = "[[exercise]]\nname = \"a\"\ntitle = \"A\"\nminutes = 1\n";
+
 const SHEET: &str = r#"
 title = "Edges"
 page = "sheet-glass.md"
@@ -123,8 +126,7 @@ fn learn(arguments: &[&str], mistake: &str) -> (String, bool) {
 fn each_program_gets_a_sentence() {
     let _ = fs::remove_dir_all(FOLDER);
     write("common/sheet/sheets/glass.toml", SHEET);
-    let list = "[[exercise]]\nname = \"a\"\ntitle = \"A\"\nminutes = 1\n";
-    write("a01/exercises/exercises.toml", list);
+    write("a01/exercises/exercises.toml", LIST);
     write("mine/src/main.rs", PROGRAM);
 
     let (printed, _) = learn(&[], "");
