@@ -7,29 +7,9 @@ yours! { radical_inverse }
 type Code = fn(u32, u32) -> f64;
 
 pub fn exercise() -> Exercise<Code> {
-    let numbers = Questions {
-        words: "{} in base {}",
-        simple: vec![
-            (0, 2),
-            (1, 2),
-            (2, 2),
-            (3, 2),
-            (4, 2),
-            (5, 2),
-            (1234, 10),
-            (120, 10),
-            (u32::MAX, 7),
-        ],
-        others: random(|r| {
-            let bits = 1 + r.below(31);
-            (r.below(1 << bits), 2 + r.below(35))
-        }),
-        answer: |radical_inverse: &Code, (n, base)| radical_inverse(n, base),
-    };
     Exercise {
-        questions: numbers.into(),
         picture: Picture::own(points),
-        ..Exercise::default()
+        ..Exercise::asked(|radical_inverse: &Code, (n, base)| radical_inverse(n, base))
     }
 }
 

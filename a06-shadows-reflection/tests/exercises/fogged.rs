@@ -8,25 +8,7 @@ yours! { fogged }
 type Code = fn(Color, Color, f64, f64) -> Color;
 
 pub fn exercise() -> Exercise<Code> {
-    let inf = f64::INFINITY;
-    let amounts = [(1.0, 0.0), (0.0, 2.0), (1.0, 1.0), (1.0, inf), (0.0, inf)];
-    let colors = Questions {
-        words: "colour {}, fog {}, density {}, distance {}",
-        simple: amounts
-            .map(|(density, distance)| (Color::RED, Color::BLUE, density, distance))
-            .to_vec(),
-        others: random(|r| {
-            (
-                r.color(),
-                r.color(),
-                r.between(0.0, 0.5),
-                r.between(0.0, 9.0),
-            )
-        }),
-        answer: |fogged: &Code, (own, fog, density, distance)| fogged(own, fog, density, distance),
-    };
     Exercise {
-        questions: colors.into(),
         picture: Picture::own(|fogged: &Code, settings| {
             rendered(&scenes::sphere()?, settings, |world, ray, depth| {
                 let clear = RecursiveTracer::new(world).trace(ray, depth);
@@ -35,6 +17,6 @@ pub fn exercise() -> Exercise<Code> {
                 fogged(clear, Color::new(0.7, 0.75, 0.8), 0.08, distance)
             })
         }),
-        ..Exercise::default()
+        ..Exercise::asked(|fogged: &Code, (own, fog, density, distance)| fogged(own, fog, density, distance))
     }
 }

@@ -8,27 +8,9 @@ yours! { reflectance }
 type Code = fn(f64, f64, f64) -> f64;
 
 pub fn exercise() -> Exercise<Code> {
-    let surfaces = Questions {
-        words: "cosine and indices {}",
-        simple: vec![
-            [1.0, 1.0, 2.0],
-            [0.5, 1.0, 2.0],
-            [0.0, 1.0, 2.0],
-            [0.5, 1.0, 0.5],
-        ],
-        others: random(|r| {
-            [
-                r.between(0.0, 1.0),
-                r.between(1.0, 2.5),
-                r.between(1.0, 2.5),
-            ]
-        }),
-        answer: |reflectance: &Code, [cosine, from, to]: [_; 3]| reflectance(cosine, from, to),
-    };
     Exercise {
-        questions: surfaces.into(),
         picture: Picture::own(of_diamond),
-        ..Exercise::default()
+        ..Exercise::asked(|reflectance: &Code, [cosine, from, to]: [_; 3]| reflectance(cosine, from, to))
     }
 }
 

@@ -9,36 +9,11 @@ yours! { refracted }
 type Code = fn(Vector3, Normal3, f64) -> Option<Vector3>;
 
 pub fn exercise() -> Exercise<Code> {
-    // Straight in and out, aslant in, mirrored, and aslant out.
-    let directions = [
-        [0.0, -1.0],
-        [0.0, 1.0],
-        [0.8, -0.6],
-        [0.8, 0.6],
-        [0.28, 0.96],
-    ];
-    let rays = Questions {
-        words: "direction {}, normal {}, index {}",
-        simple: directions
-            .map(|[x, y]| ([x, y, 0.0], [0.0, 1.0, 0.0], 2.0))
-            .to_vec(),
-        others: random(|r| {
-            let (d, n) = (array(unit(r.triple(1.0))), unit(r.triple(1.0)));
-            let index = r.between(1.1, 2.5);
-            let aside = unit(array(n.cross(vector(d))));
-            // Just before and beyond the angle from which on all light is mirrored.
-            let sin = (1.0 + [1e-6, -1e-6][r.below(2) as usize]) / index;
-            let limit = array(aside * sin + n * (1.0 - sin * sin).sqrt());
-            ([d, limit][r.below(2) as usize], array(n), index)
-        }),
-        answer: |refracted: &Code, (d, n, index)| {
-            refracted(unit(d), unit(n).as_normal(), index).map(array)
-        },
-    };
     Exercise {
-        questions: rays.into(),
         picture: Picture::own(under_water),
-        ..Exercise::default()
+        ..Exercise::asked(|refracted: &Code, (d, n, index)| {
+            refracted(unit(d), unit(n).as_normal(), index).map(array)
+        })
     }
 }
 

@@ -7,11 +7,13 @@ yours! { orbits }
 type Code = fn(f64, f64) -> Made<[Transform; 2]>;
 
 pub fn exercise() -> Exercise<Code> {
-    let times = Questions {
-        words: "year {}, month {}",
-        simple: vec![(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, -1.0)],
-        others: random(|r| (r.between(-9.0, 9.0), r.between(-9.0, 9.0))),
-        answer: |orbits: &Code, (year, month)| {
+    let eye = Eye {
+        from: [0.0, 9.0, 13.0],
+        to: [0.0, -0.4, 0.0],
+    };
+    Exercise {
+        picture: lit(eye, twelve_months),
+        ..Exercise::asked(|orbits: &Code, (year, month)| {
             let [earth, moon] = orbits(year, month).ok()?;
             // Two points tell where a body is, and how it is turned.
             let moved = |body: &Transform, x| {
@@ -24,16 +26,7 @@ pub fn exercise() -> Exercise<Code> {
                     .and("moon", moved(&moon, 0.0))
                     .and("moon", moved(&moon, 1.0)),
             )
-        },
-    };
-    let eye = Eye {
-        from: [0.0, 9.0, 13.0],
-        to: [0.0, -0.4, 0.0],
-    };
-    Exercise {
-        questions: times.into(),
-        picture: lit(eye, twelve_months),
-        ..Exercise::default()
+        })
     }
 }
 

@@ -7,17 +7,13 @@ yours! { rotation }
 type Code = fn(Vector3, f64) -> Made<Transform>;
 
 pub fn exercise() -> Exercise<Code> {
-    let rotations = Questions {
-        words: "axis {}, angle {}",
-        simple: vec![
-            ([0.0, 0.0, 1.0], 1.0),
-            ([1.0, 0.0, 0.0], 1.0),
-            ([0.0, -2.0, 0.0], 1.0),
-            ([0.0, 0.0, -2.0], 1.0),
-            ([0.0, 0.0, 0.0], 1.0),
-        ],
-        others: random(|r| (r.triple(5.0), r.between(-9.0, 9.0))),
-        answer: |rotation: &Code, (axis, angle)| {
+    let eye = Eye {
+        from: [4.0, 4.5, 5.0],
+        to: [0.6; 3],
+    };
+    Exercise {
+        picture: lit(eye, wheel),
+        ..Exercise::asked(|rotation: &Code, (axis, angle)| {
             let turn = rotation(vector(axis), angle).ok()?;
             // No symmetric point, so that it turns about every axis.
             let turned = |by: Mat4x4| array(by * vector([1.0, 2.0, 4.0]));
@@ -25,16 +21,7 @@ pub fn exercise() -> Exercise<Code> {
                 Answer::named("(1, 2, 4) turned", turned(turn.matrix()))
                     .and("turned back", turned(turn.inverse())),
             )
-        },
-    };
-    let eye = Eye {
-        from: [4.0, 4.5, 5.0],
-        to: [0.6; 3],
-    };
-    Exercise {
-        questions: rotations.into(),
-        picture: lit(eye, wheel),
-        ..Exercise::default()
+        })
     }
 }
 
