@@ -7,8 +7,8 @@ use crate::protocol;
 use a02_math::arrays::{array, vector};
 use a02_math::{Direction, Mat3x3, Normal3, Vector3};
 
-pub fn cases(_: Effort) -> Vec<Case> {
-    rows(include_str!("../cases.toml"), computed)
+pub fn cases(effort: Effort) -> Vec<Case> {
+    rows(include_str!("../cases.toml"), effort, computed)
 }
 
 /// What a row asks, by our code and by the protocol's formula.
@@ -24,10 +24,7 @@ fn computed(row: &Row) -> Case {
             reflected(a, b.as_normal()).map(Vector3::magnitude),
             protocol::reflected_on(a, b.as_normal()).magnitude(),
         ),
-        "perpendicular" => Case {
-            ours: defect_of_pair(a).into(),
-            ..Case::default()
-        },
+        "perpendicular" => Case::of_ours(defect_of_pair(a)),
         "angle" => Case::of(a.angle(b), protocol::angle_by_arc_cosine(a, b)),
         "angle by the cosine" => Case::of(a.angle(b), protocol::angle(a, b)),
         "projected" => Case::of(
@@ -36,15 +33,9 @@ fn computed(row: &Row) -> Case {
         ),
         "solved" => {
             let solution = protocol::cramer(matrix(row), vector(row.triple(9)));
-            Case {
-                ours: array(solution).into(),
-                ..Case::default()
-            }
+            Case::of_ours(array(solution))
         }
-        "determinant" => Case {
-            ours: matrix(row).determinant().into(),
-            ..Case::default()
-        },
+        "determinant" => Case::of_ours(matrix(row).determinant()),
         _ => Row::unknown(),
     }
 }

@@ -1,4 +1,4 @@
-//! Stiff and extreme cases of cameras and stripes, and of the mean of samples.
+//! Stiff and extreme cases of cameras and stripes, and of the mean of samples: the rows of `cases.toml`.
 
 mod cameras;
 mod stripes;
@@ -6,40 +6,35 @@ mod stripes;
 use a02_math::Vector3;
 use common::Color;
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Fails, Known, Number};
+use measure::extremes::{Case, Row, rows};
 
 use crate::protocol;
 
-pub fn cases(_: Effort) -> Vec<Case> {
-    let mut cases = [cameras::cases(), stripes::cases()].concat();
-    cases.push(mean_of_bytes());
-    cases
+pub fn cases(effort: Effort) -> Vec<Case> {
+    rows(include_str!("../cases.toml"), effort, computed)
+}
+
+/// What a row asks, by our code and by the protocol's formula.
+fn computed(row: &Row) -> Case {
+    match row.asks.as_str() {
+        "stripes at the horizon" => Case::of_wrong(stripes::at_the_horizon()),
+        "stripes down the middle" => Case::of_wrong(stripes::down_the_middle()),
+        "rows of several stripes" => Case::of_wrong(stripes::rows_of_several()),
+        "byte of a mean" => mean_of_bytes(),
+        _ => cameras::computed(row),
+    }
 }
 
 pub const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
 pub const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
+/// The byte of the mean of four gray samples, summed as linear colours.
 fn mean_of_bytes() -> Case {
     let bytes = [205, 205, 205, 204];
-    Case {
-        id: "Q13".into(),
-        what: "the byte of the samples 205, 205, 205 and 204, averaged as whole numbers".into(),
-        exact: Number(204.75),
-        condition: Known(1.0),
-        bound: Absolute(0.5),
-        protocol: Fails,
-        ..Case::of(
-            f64::from(byte_of_mean(bytes)),
-            f64::from(protocol::mean_byte(&bytes)),
-        )
-    }
-}
-
-/// The byte of the mean of four gray samples, summed as linear colours.
-fn byte_of_mean(bytes: [u8; 4]) -> u8 {
     let mut sum = Color::BLACK;
     for byte in bytes {
         sum += Color::from_bytes([byte; 3]);
     }
-    (sum * 0.25).to_bytes()[0]
+    let [ours, ..] = (sum * 0.25).to_bytes();
+    Case::of(f64::from(ours), f64::from(protocol::mean_byte(&bytes)))
 }

@@ -13,13 +13,7 @@ use crate::protocol;
 use crate::sweeps::edge;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [
-        rows(include_str!("../cases.toml"), computed),
-        spots::cases(effort),
-        lights::cases(),
-        materials::cases(),
-    ]
-    .concat()
+    rows(include_str!("../cases.toml"), effort, computed)
 }
 
 /// What a row asks, by our code and by the protocol's formula.
@@ -38,6 +32,14 @@ fn computed(row: &Row) -> Case {
         "lamp" => lights::under_a_lamp(row.number(0)),
         "lamp in a sphere" => lights::from_height(row.number(0)),
         "sun" => lights::in_the_sun(row.triple(0), row.number(3), row.number(4)),
+        "spots, behind" => spots::lit_behind(row.count),
+        "angles" => spots::angles(row.count),
+        "sun at the origin" => lights::sun_at_the_origin(),
+        "highlight from behind" => materials::highlight_from_behind(),
+        "two lights" => materials::two_lights(),
+        "highlight on red" => materials::highlight_on_red(),
+        "bright light" => materials::under_a_light(0.25, 3.0, protocol::clamped_product),
+        "dim light" => materials::under_a_light(0.1, 0.1, protocol::integer_product),
         _ => Row::unknown(),
     }
 }

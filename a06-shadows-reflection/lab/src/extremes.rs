@@ -9,9 +9,7 @@ use measure::Effort;
 use measure::extremes::{Case, Row, rows};
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let mut cases = rows(include_str!("../cases.toml"), computed);
-    cases.extend(shadows::many_points(effort));
-    cases
+    rows(include_str!("../cases.toml"), effort, computed)
 }
 
 /// What a row asks, by our code and by the protocol's formula.
@@ -24,6 +22,9 @@ fn computed(row: &Row) -> Case {
         "lamp above" => shadows::under_a_light(row.number(0)),
         "lamp" => shadows::under_a_light_at(row.triple(0)),
         "shadow rays" => shadows::rays_to_a_light_at(row.triple(0)),
+        "lamp on a ceiling" => Case::of_wrong(shadows::under_a_ceiling(row.count)),
+        "ball on a slope" => Case::of_wrong(shadows::under_a_ball(row.count, row.number(0))),
+        "sun on a slope" => Case::of_wrong(shadows::under_the_sun(row.count)),
         _ => Row::unknown(),
     }
 }

@@ -3,17 +3,15 @@
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::Error;
-use measure::Effort;
-use measure::extremes::{Absolute, Case, Number, greatest, tried};
+use measure::extremes::greatest;
 
-use super::EPSILON;
 use crate::support::{Numbers, first};
 use a04_intersections::{AxisAlignedBox, Plane};
 
 const EYE: Point3 = Point3::new(1.3, 2.7, 5.1);
 
 /// The greatest difference of the `t` of a floor and of a box whose top lies in it, in `t`.
-fn greatest_difference(rays: usize) -> Result<f64, Error> {
+pub fn greatest_difference(rays: usize) -> Result<f64, Error> {
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
     let below = AxisAlignedBox::new(Point3::new(-2.0, -1.0, -2.0), Point3::new(2.0, 0.0, 2.0))?;
     let mut differences = Vec::new();
@@ -26,20 +24,4 @@ fn greatest_difference(rays: usize) -> Result<f64, Error> {
         }
     }
     Ok(greatest(differences))
-}
-
-pub fn cases(effort: Effort) -> Vec<Case> {
-    let count = effort.choose(2_000, 20_000);
-    vec![Case {
-        id: "S33".into(),
-        what: format!(
-            "a floor, and a box whose top lies in it, {count} rays: greatest difference of t, in t"
-        ),
-        exact: Number(0.0),
-        // The floor divides, with one rounding. The box multiplies by a rounded inverse, with
-        // two. The exact t are equal, so that the two differ by at most 3 u = 1.5 eps of them.
-        bound: Absolute(1.5 * EPSILON),
-        ours: tried(|| greatest_difference(count)),
-        ..Case::default()
-    }]
 }

@@ -3,27 +3,18 @@
 use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
-use measure::Effort;
-use measure::extremes::{Both, Case, count_wrong};
+use measure::extremes::{Both, count_wrong};
 
 use super::EPSILON;
 use crate::protocol;
 use crate::support::Numbers;
 use a04_intersections::{Geometry, Interval, Plane};
 
-pub fn cases(effort: Effort) -> Vec<Case> {
-    vec![Case::of_wrong(
-        "B19",
-        "reflected rays that meet the plane that they leave once more",
-        leaving(effort),
-    )]
-}
-
 /// Rays that start at hits of a slanted plane. Rounding moves the point to one of
 /// its sides. With `t > 0` some rays hit the same plane again; with an interval
 /// that begins after a few rounding errors of the lengths, no ray does.
-fn leaving(effort: Effort) -> Result<Both<usize>, ArgumentError> {
-    count_wrong(0..effort.choose(1000, 20_000), |n| {
+pub fn leaving(count: usize) -> Result<Both<usize>, ArgumentError> {
+    count_wrong(0..count, |n| {
         let mut numbers = Numbers::new(31, n);
         let normal = numbers.perpendicular()[0].as_normal();
         let plane = Plane::new(Point3::ORIGIN, normal)?;

@@ -1,8 +1,7 @@
 //! Errors over many rays, compared with 30 digits; and translated and scaled scenes, whose
 //! hits must not change.
 
-use measure::Effort;
-use measure::extremes::{Both, Case, Fails, Number};
+use measure::extremes::{Both, Case};
 
 use crate::compared_shape::{BOX, ComparedShape, PLANE, SPHERE, TRIANGLE};
 use crate::experiments::far_sphere::{Formula, is_wrong, ours, queries};
@@ -12,7 +11,7 @@ use crate::protocol;
 use crate::support::{Numbers, Triple};
 
 /// Number of rays from a distance with a wrong decision between hit and miss of a unit sphere.
-fn wrong_hits(distance: f64, rays: usize) -> Case {
+pub fn wrong_hits(distance: f64, rays: usize) -> Case {
     let queries = queries(distance, rays);
     let count = |formula: Formula| {
         let is_wrong = |query: &&SphereQuery| is_wrong(query, formula(query));
@@ -92,11 +91,17 @@ fn differs(here: Option<f64>, there: Option<f64>, scale: f64) -> bool {
     here.map(|t| (t * scale).to_bits()) != there.map(f64::to_bits)
 }
 
-pub fn cases(effort: Effort) -> Vec<Case> {
+/// Four shapes moved by 2^30.
+pub fn moved(rays: usize) -> Case {
     let moved = Place {
         shift: libm::scalbn(1.0, 30),
         ..HERE
     };
+    differing(&[moved], rays)
+}
+
+/// Four shapes in scales from 2^-300 to 2^300.
+pub fn scaled(rays: usize) -> Case {
     let mut scaled = Vec::new();
     for power in (-300..=300).step_by(50) {
         scaled.push(Place {
@@ -104,30 +109,5 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             ..HERE
         });
     }
-    let rays = effort.choose(1000, 4000);
-    vec![
-        Case {
-            id: "I11".into(),
-            what: "four shapes moved by 2^30, all differences exact: distances that change".into(),
-            exact: Number(0.0),
-            protocol: Fails,
-            ..differing(&[moved], effort.choose(1000, 20_000))
-        },
-        Case {
-            id: "S10".into(),
-            what: format!("{rays} rays at and past a sphere 1e8 radii away: wrong hits and misses"),
-            exact: Number(0.0),
-            protocol: Fails,
-            ..wrong_hits(1e8, rays)
-        },
-        Case {
-            id: "S12".into(),
-            what: "four shapes in 13 scales from 2^-300 to 2^300: \
-                   distances that change more than the scale"
-                .into(),
-            exact: Number(0.0),
-            protocol: Fails,
-            ..differing(&scaled, effort.choose(400, 8000))
-        },
-    ]
+    differing(&scaled, rays)
 }

@@ -3,7 +3,7 @@
 
 use a02_math::{Direction, Point3};
 use common::{ArgumentError, Color};
-use measure::extremes::{Case, Fails, Known, Nothing, Number, Outcome, tried};
+use measure::extremes::{Case, Outcome, tried};
 
 use super::nearest_hit;
 use crate::formula::sphere::SphereQuery;
@@ -31,7 +31,7 @@ fn towards_unit(line: Line) -> SphereQuery {
 /// The cosine between the normal of a hit from inside the unit sphere and the ray: of the hit in a
 /// world, where the normal faces the eye, and of the shape's, as in the protocol, where it points
 /// outwards.
-fn seen_from_inside() -> Case {
+pub fn seen_from_inside() -> Case {
     let inside = line(ORIGIN, UP);
     let facing = tried(|| {
         let world = World::new(Color::BLACK)?.with(unit()?, ());
@@ -46,29 +46,9 @@ fn seen_from_inside() -> Case {
 }
 
 /// A miss, where the protocol draws the root before it tests its sign.
-fn root_of_a_miss() -> Case {
+pub fn root_of_a_miss() -> Case {
     let past = line([-5.0, 2.0, 0.0], [1.0, 0.0, 0.0]);
     let Quadratic { a, b, discriminant } = protocol::sphere_equation(&towards_unit(past));
     let theirs: Outcome = ((-b - discriminant.sqrt()) / (2.0 * a)).into();
     Case::of(nearest_hit(unit(), past), theirs)
-}
-
-pub fn cases() -> Vec<Case> {
-    vec![
-        Case {
-            id: "A40".into(),
-            what: "seen from inside: cosine between normal and direction".into(),
-            exact: Number(-1.0),
-            condition: Known(1.0),
-            protocol: Fails,
-            ..seen_from_inside()
-        },
-        Case {
-            id: "A41".into(),
-            what: "past the sphere: the root drawn before its sign is tested".into(),
-            exact: Nothing,
-            protocol: Fails,
-            ..root_of_a_miss()
-        },
-    ]
 }

@@ -4,7 +4,7 @@
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
-use measure::extremes::{Both, Case, Fails, Known, Number, Ulps, Without, count_wrong, tried};
+use measure::extremes::{Both, Case, Number, count_wrong, tried};
 
 use super::nearest_hit;
 use crate::line::{Line, line};
@@ -26,7 +26,7 @@ fn half() -> Result<Triangle, ArgumentError> {
 }
 
 /// The length of the mean of three perpendicular normals, each of which is longer than their mean.
-fn mean_of_normals() -> Case {
+pub fn mean_of_normals() -> Case {
     const THIRD: f64 = 1.0 / 3.0;
     let normals = [
         Normal3::new(1.0, 0.0, 0.0),
@@ -43,10 +43,10 @@ fn mean_of_normals() -> Case {
     Case::of(ours, length(theirs))
 }
 
-/// How many of 1000 points within a triangle are met. Few of them have β + γ = 1.
-fn points_within() -> Case {
+/// How many of some points within a triangle are met. Few of them have β + γ = 1.
+pub fn points_within(count: usize) -> Case {
     let (mut ours, mut theirs) = (0, 0);
-    for n in 0..1000 {
+    for n in 0..count {
         let mut numbers = Numbers::new(33, n);
         let beta = numbers.between(0.01, 0.98);
         let gamma = numbers.between(0.005, 0.99 - beta);
@@ -58,38 +58,10 @@ fn points_within() -> Case {
     Case::of(ours, theirs)
 }
 
-pub fn cases() -> Vec<Case> {
-    vec![
-        Case::of_wrong(
-            "D26",
-            "1000 times three corners on a line but for rounding: how many are met",
-            noise(),
-        ),
-        Case {
-            id: "D27".into(),
-            what: "three perpendicular normals: the length of their mean".into(),
-            exact: Number(1.0),
-            condition: Known(0.0),
-            bound: Ulps(2.0),
-            protocol: Fails,
-            ..mean_of_normals()
-        },
-        Case {
-            id: "D28".into(),
-            what: "1000 points within a triangle: how many are met, β + γ being asked to be 1"
-                .into(),
-            exact: Number(1000.0),
-            condition: Without("a count".into()),
-            protocol: Fails,
-            ..points_within()
-        },
-    ]
-}
-
 /// For corners on a line up to rounding, the determinant is only rounding error and
 /// not 0: the protocol computes hits of some of them, at arbitrary points.
-fn noise() -> Result<Both<usize>, ArgumentError> {
-    count_wrong(0..1000, |n| {
+pub fn noise(count: usize) -> Result<Both<usize>, ArgumentError> {
+    count_wrong(0..count, |n| {
         let mut numbers = Numbers::new(32, n);
         let a = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
         let along = numbers.direction();

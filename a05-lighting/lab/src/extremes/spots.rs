@@ -5,8 +5,7 @@ use a02_math::arrays::{point, vector};
 use a02_math::{Point3, Vector3};
 use a04_lab::support::{Numbers, Triple};
 use common::Color;
-use measure::Effort;
-use measure::extremes::{Case, Fails, Flag, Number};
+use measure::extremes::{Case, Flag};
 
 use crate::protocol;
 use a05_lighting::{Light, SpotLight};
@@ -20,30 +19,6 @@ pub fn lights(direction: Triple, half_angle: f64, at: Triple) -> Case {
     Case::of(ours, theirs)
 }
 
-pub fn cases(effort: Effort) -> Vec<Case> {
-    let count = effort.choose(10_000, 100_000);
-    let directions = directions(count);
-    vec![
-        Case {
-            id: "I09".into(),
-            what: format!("spot, {count} points straight behind: lit"),
-            exact: Number(0.0),
-            protocol: Fails,
-            ..lit_behind(&directions)
-        },
-        Case {
-            id: "S15".into(),
-            what: format!("{count} angles between parallel vectors: NaN"),
-            exact: Number(0.0),
-            protocol: Fails,
-            ..Case::of(
-                not_numbers(&directions, Vector3::angle),
-                not_numbers(&directions, angle_by_arc_cosine),
-            )
-        },
-    ]
-}
-
 /// Random directions of any length below √3.
 fn directions(count: usize) -> Vec<Vector3> {
     (0..count)
@@ -52,15 +27,24 @@ fn directions(count: usize) -> Vec<Vector3> {
 }
 
 /// The number of lights that shine on a point straight behind them.
-fn lit_behind(directions: &[Vector3]) -> Case {
+pub fn lit_behind(count: usize) -> Case {
     let (mut ours, mut theirs) = (0, 0);
-    for direction in directions {
-        let behind = Point3::ORIGIN - *direction * 3.0;
-        let case = lights((*direction).into(), 0.1, behind.into());
+    for direction in directions(count) {
+        let behind = Point3::ORIGIN - direction * 3.0;
+        let case = lights(direction.into(), 0.1, behind.into());
         ours += usize::from(case.ours == Flag(true));
         theirs += usize::from(case.theirs == Some(Flag(true)));
     }
     Case::of(ours, theirs)
+}
+
+/// The number of angles between parallel vectors that are NaN.
+pub fn angles(count: usize) -> Case {
+    let directions = directions(count);
+    Case::of(
+        not_numbers(&directions, Vector3::angle),
+        not_numbers(&directions, angle_by_arc_cosine),
+    )
 }
 
 /// The number of vectors whose angle to a multiple of themselves is NaN.

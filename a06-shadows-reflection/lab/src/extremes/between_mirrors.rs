@@ -38,10 +38,7 @@ pub fn computed(row: &Row) -> Case {
             Case::of(ours(mirrors(row), depth), theirs)
         }
         // The protocol's recursion does not end, or takes too long.
-        "mirrors, ours" => Case {
-            ours: ours(mirrors(row), depth),
-            ..Case::default()
-        },
+        "mirrors, ours" => Case::of_ours(ours(mirrors(row), depth)),
         "searches" => {
             let mirrors = Mirrors {
                 reflectance: row.number(0),

@@ -12,7 +12,6 @@ use a05_lighting::{
 use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
 use corpus::{Question, Shape};
-use measure::Effort;
 use measure::extremes::{Both, Case, Outcome, Row, tried};
 
 use super::slope::{Expected, Slope};
@@ -74,18 +73,12 @@ fn shadow_rays(light: Point3) -> Outcome {
 
 /// The brightness of the floor under a light at a position, by our code alone.
 pub fn under_a_light_at(position: Triple) -> Case {
-    Case {
-        ours: brightness(point(position)),
-        ..Case::default()
-    }
+    Case::of_ours(brightness(point(position)))
 }
 
 /// How many shadow rays a light at a position costs.
 pub fn rays_to_a_light_at(position: Triple) -> Case {
-    Case {
-        ours: shadow_rays(point(position)),
-        ..Case::default()
-    }
+    Case::of_ours(shadow_rays(point(position)))
 }
 
 /// The protocol's function of a light.
@@ -116,37 +109,11 @@ pub fn under_a_ball_in_a_row(row: &Row, question: &Question) -> Case {
     Case::of(ours, theirs)
 }
 
-pub fn many_points(effort: Effort) -> Vec<Case> {
-    let n = effort.choose(2_000, 20_000);
-    vec![
-        Case::of_wrong(
-            "I08",
-            format!("lamp on the ceiling, {n} points below: dark"),
-            under_a_ceiling(n),
-        ),
-        Case::of_wrong(
-            "S14",
-            format!("ball of radius 0.5 on a slope, {n} points under it: lit"),
-            under_a_ball(n, 1.0),
-        ),
-        Case::of_wrong(
-            "S31",
-            format!("ball of radius 50 on a slope, {n} points under it: lit"),
-            under_a_ball(n, 100.0),
-        ),
-        Case::of_wrong(
-            "S32",
-            format!("nothing on a slope under a far light, {n} points: dark"),
-            under_the_sun(n),
-        ),
-    ]
-}
-
 /// The number of points that are judged wrongly, or why there is none.
 type Counts = Result<Both<usize>, Error>;
 
 /// A lamp on a slanted ceiling: all points below it are lit.
-fn under_a_ceiling(points: usize) -> Counts {
+pub fn under_a_ceiling(points: usize) -> Counts {
     let slope = Slope::new(1.0)?;
     let lamp = slope.above(4.0);
     let ceiling = Plane::new(lamp, Normal3::new(0.1, 1.0, 0.3))?;
@@ -163,7 +130,7 @@ fn under_a_ceiling(points: usize) -> Counts {
 }
 
 /// A ball that touches a slope, in a scene of this size: all points below it are in its shadow.
-fn under_a_ball(points: usize, size: f64) -> Counts {
+pub fn under_a_ball(points: usize, size: f64) -> Counts {
     let slope = Slope::new(size)?;
     let lamp = slope.above(5.0);
     let ball = Sphere::new(slope.above(0.5), 0.5 * size)?;
@@ -180,7 +147,7 @@ fn under_a_ball(points: usize, size: f64) -> Counts {
 }
 
 /// An empty floor under a far light: all points are lit.
-fn under_the_sun(points: usize) -> Counts {
+pub fn under_the_sun(points: usize) -> Counts {
     let slope = Slope::new(1.0)?;
     let direction = Vector3::new(0.1, -1.0, -0.4).unit("direction")?;
     let world = slope.world()?;

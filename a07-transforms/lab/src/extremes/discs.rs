@@ -10,7 +10,6 @@ use a04_lab::support::{Numbers, first};
 use a06_shadows_reflection::secondary_ray;
 use common::Error;
 use corpus::{Question, Shape};
-use measure::Effort;
 use measure::extremes::{Both, Case, Row, count_wrong};
 
 use crate::protocol;
@@ -24,15 +23,6 @@ const DISC: ComparedShape = ComparedShape {
     },
     protocol: |x, ray| protocol::disc(point(triple(x)), unit_normal(x), x[6], ray),
 };
-
-pub fn left(effort: Effort) -> Case {
-    let count = effort.choose(2_000, 20_000);
-    Case::of_wrong(
-        "B34",
-        format!("disc, {count} rays that leave it: met again"),
-        leaving(count),
-    )
-}
 
 /// The nearest hit of a disc in a row.
 pub fn met(row: &Row, question: &Question) -> Case {
@@ -49,7 +39,7 @@ pub fn met(row: &Row, question: &Question) -> Case {
 }
 
 /// Rays that leave a disc on the side from which it was hit must not hit it again.
-fn leaving(count: usize) -> Result<Both<usize>, Error> {
+pub fn leaving(count: usize) -> Result<Both<usize>, Error> {
     let center = Point3::new(0.1, 0.2, 0.3);
     let normal = Normal3::new(0.3, 1.0, 0.2).unit("normal n")?;
     let disc = Disc::new(center, normal, 1.0)?;

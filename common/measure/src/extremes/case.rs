@@ -52,20 +52,18 @@ impl Case {
         }
     }
 
-    /// A row of the number of wrong results: ours has to be 0, and the protocol's not.
-    pub fn of_wrong<E>(id: &str, what: impl Into<String>, counts: Result<Both<usize>, E>) -> Self {
-        let refused = Both {
-            ours: Outcome::Refused,
-            theirs: Outcome::Refused,
-        };
-        let outcomes = counts.map_or(refused, |counts| counts.map(Outcome::from));
+    /// The outcomes of a row that counts wrong results.
+    pub fn of_wrong<E>(counts: Result<Both<usize>, E>) -> Self {
+        let outcomes = |counts: Both<usize>| [counts.ours, counts.theirs].map(Outcome::from);
+        let [ours, theirs] = counts.map_or([Outcome::Refused; 2], outcomes);
+        Self::of(ours, theirs)
+    }
+
+    /// The outcome of a row where the protocol has no formula.
+    pub fn of_ours(ours: impl Into<Outcome>) -> Self {
         Self {
-            id: id.to_owned(),
-            what: what.into(),
-            exact: Outcome::Number(0.0),
-            bound: Bound::Equal,
-            protocol: Protocol::Fails,
-            ..Self::of(outcomes.ours, outcomes.theirs)
+            ours: ours.into(),
+            ..Self::default()
         }
     }
 

@@ -3,6 +3,7 @@
 use corpus::{Fields, Mistake, Question};
 
 use super::{Bound, Case, Condition, Outcome, Protocol};
+use crate::Effort;
 
 /// What a row asks, and the numbers that it gives.
 pub struct Row {
@@ -12,6 +13,8 @@ pub struct Row {
     pub asks: String,
     /// The numbers of a question that is no ray.
     pub numbers: Vec<f64>,
+    /// How many random rays or points it takes, if it takes any.
+    pub count: usize,
     /// The ray and the shape of a question that is one.
     pub ray: Option<Question>,
 }
@@ -39,8 +42,8 @@ impl Row {
 /// The cases of a file, whose outcomes a function computes from each row.
 ///
 /// If the file has a mistake, a single case that does not hold says so.
-pub fn rows(text: &str, compute: impl Fn(&Row) -> Case) -> Vec<Case> {
-    let cases = corpus::read_each(text, |fields| case(fields, &compute));
+pub fn rows(text: &str, effort: Effort, compute: impl Fn(&Row) -> Case) -> Vec<Case> {
+    let cases = corpus::read_each(text, |fields| case(fields, effort, &compute));
     cases.unwrap_or_else(|mistake| {
         vec![Case {
             id: "cases.toml".into(),
@@ -52,7 +55,7 @@ pub fn rows(text: &str, compute: impl Fn(&Row) -> Case) -> Vec<Case> {
     })
 }
 
-fn case(fields: &Fields, compute: impl Fn(&Row) -> Case) -> Result<Case, Mistake> {
+fn case(fields: &Fields, effort: Effort, compute: impl Fn(&Row) -> Case) -> Result<Case, Mistake> {
     let row = Row {
         id: fields.text("id")?,
         asks: match fields.value("asks") {
@@ -63,6 +66,13 @@ fn case(fields: &Fields, compute: impl Fn(&Row) -> Case) -> Result<Case, Mistake
             Some(_) => fields.numbers("numbers")?,
             None => Vec::new(),
         },
+        count: match fields.value("counts") {
+            Some(_) => {
+                let [quick, full]: [f64; 2] = fields.numbers("counts")?;
+                effort.choose(quick as usize, full as usize)
+            }
+            None => 0,
+        },
         ray: match fields.value("ray") {
             Some(_) => Some(fields.question()?),
             None => None,
@@ -70,7 +80,9 @@ fn case(fields: &Fields, compute: impl Fn(&Row) -> Case) -> Result<Case, Mistake
     };
     Ok(Case {
         id: row.id.clone(),
-        what: fields.text("says")?,
+        what: fields
+            .text("says")?
+            .replace("{count}", &row.count.to_string()),
         exact: exact(fields)?,
         bound: bound(fields)?,
         condition: condition(fields)?,
@@ -104,8 +116,8 @@ fn exact(fields: &Fields) -> Result<Outcome, Mistake> {
     Ok(Outcome::Triple(numbers.try_into().map_err(|_| wrong())?))
 }
 
-/// How far an outcome may be off: not at all; by units in the last place; by these times the condition; or by
-/// roundings of 1.
+/// How far an outcome may be off: not at all; by units in the last place; by these times the condition; by a
+/// distance; or by roundings of 1.
 fn bound(fields: &Fields) -> Result<Bound, Mistake> {
     let Some(bound) = fields.inner("bound") else {
         return Ok(Bound::Equal);
@@ -115,6 +127,8 @@ fn bound(fields: &Fields) -> Result<Bound, Mistake> {
     } else if bound.value("conditions").is_some() {
         let condition = fields.number("condition")?;
         Ok(Bound::Ulps(bound.number("conditions")? * condition))
+    } else if bound.value("distance").is_some() {
+        Ok(Bound::Absolute(bound.number("distance")?))
     } else {
         Ok(Bound::Absolute(bound.number("epsilons")? * f64::EPSILON))
     }
