@@ -2,24 +2,26 @@
 //! within it, or rendered with finite numbers by the stage that reads it.
 
 use a03_rays_cameras::kinds::Format;
-use a07_transforms::kinds::example_files;
-use arbitrary::{Result, Unstructured};
+use arbitrary::Unstructured;
 use common::Transfer;
 use common::sensitivity::NumberPlace;
 use common::{Renderer, Settings, Size};
-use scene_file::{Mesh, SceneFile};
+use random_scene::{SceneText, Style};
+use scene_file::{Mesh, Meshes, SceneFile};
 
-use crate::values::number;
-
-/// Two files with every table, with empty lines between them.
-const EXAMPLES: [&str; 2] = [example_files::SHAPES, example_files::BOARD];
+use crate::values::below;
 
 /// Reads bytes as a scene file and as a mesh, and renders what is right of them.
 pub fn check(bytes: &[u8]) {
     if let Ok(mut mesh) = Mesh::read(bytes) {
         check_mesh(&mut mesh, bytes);
     }
-    let text = String::from_utf8_lossy(bytes);
+    // The file is its own mesh.
+    check_text(&String::from_utf8_lossy(bytes), &|_| Mesh::read(bytes));
+}
+
+/// Reads a scene file in each stage, and renders what is right of it.
+fn check_text(text: &str, meshes: Meshes) {
     let formats: [Format; 4] = [
         a04_intersections::kinds::FORMAT,
         a05_lighting::kinds::FORMAT,
@@ -35,11 +37,10 @@ pub fn check(bytes: &[u8]) {
         ..settings.clone()
     };
     for format in formats {
-        // The file is its own mesh.
-        let file = format.read(&text, &|_| Mesh::read(bytes));
+        let file = format.read(text, meshes);
         let twice = file.and_then(|file| {
             if file.mistake.is_none() {
-                check_numbers(&file, &text);
+                check_numbers(&file, text);
             }
             Ok([(format.view)(&file)?, (format.view)(&file)?])
         });
@@ -105,36 +106,13 @@ fn check_mesh(mesh: &mut Mesh, bytes: &[u8]) {
     }
 }
 
-/// Reads a scene file with any of the tables of the example, with other numbers.
-pub fn check_structure(bytes: &[u8]) {
-    let u = &mut Unstructured::new(bytes);
-    let split = EXAMPLES.map(|file| file.split_once("\n[[").expect("lists of tables"));
-    let [(once, often), (_, also)] = split;
-    let often: Vec<_> = often.split("\n[[").chain(also.split("\n[[")).collect();
-    let mut text = String::new();
-    if add(u, once, &mut text).is_ok() {
-        while !u.is_empty()
-            && let Ok(table) = u.choose(&often)
-        {
-            text += "\n[[";
-            if add(u, table, &mut text).is_err() {
-                break;
-            }
-        }
-    }
-    check(text.as_bytes());
+/// A scene file with any tables and any numbers, of which a function accepts each table.
+pub fn text(u: &mut Unstructured, accepts: &dyn Fn(&SceneText) -> bool) -> SceneText {
+    SceneText::new(&mut |end| below(u, end), Style::Any, 7, accepts)
 }
 
-/// Adds tables. One in eight of their numbers are others.
-fn add(u: &mut Unstructured, tables: &str, text: &mut String) -> Result<()> {
-    for word in tables.split_inclusive([' ', '[', ',', ']', '\n']) {
-        let known = word.trim_end_matches([',', ']', '\n', ' ']);
-        if known.parse::<f64>().is_ok() && u.ratio(1, 8)? {
-            *text += &format!("{:?}", number(u)?).replace("NaN", "nan");
-            *text += &word[known.len()..];
-        } else {
-            *text += word;
-        }
-    }
-    Ok(())
+/// Reads a scene file with any tables and any numbers.
+pub fn check_structure(bytes: &[u8]) {
+    let text = text(&mut Unstructured::new(bytes), &|_| true);
+    check_text(&text.scene, &|name| text.mesh(name));
 }

@@ -4,19 +4,32 @@
 //! off only mirrored light below its threshold.
 
 use a03_rays_cameras::{Camera, Ray, View};
-use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor, SpotLight};
-use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface};
+use a04_intersections::{Geometry, Interval};
+use a06_shadows_reflection::ShadowedWorld;
+use a06_shadows_reflection::kinds::read_view;
+use a07_transforms::kinds::{FORMAT, KINDS};
 use a07_transforms::traced;
 use arbitrary::{Result, Unstructured};
-use common::{Color, Renderer, Sampling, Settings, Size};
+use common::{Renderer, Sampling, Settings, Size};
+use random_scene::SceneText;
+use scene_file::Error;
 
-use crate::values::{accepted, boxed, camera, color, number, point, shape, vector};
+use crate::scene_files;
+use crate::values::{accepted, assert_unit, number, point, vector};
 
 /// Renders the scene that the bytes make by all three renderers.
 pub fn check(bytes: &[u8]) {
-    let Ok(scene) = Scene::new(bytes) else {
+    let u = &mut Unstructured::new(bytes);
+    let Ok(scene) = Scene::new(u) else {
         return;
     };
+    // Each table is right by itself, and not always all of them together.
+    let Ok(view) = view(&scene.text) else {
+        return;
+    };
+    for (shape, _) in view.world.objects().objects() {
+        check_hits(u, shape).expect("numbers");
+    }
     let lesson = scene.channels(Renderer::Lesson, None);
     scene.check(lesson.iter().all(|c| c.is_finite() && *c >= 0.0), &lesson);
     for renderer in [Renderer::Engine, Renderer::NoOmissions] {
@@ -40,37 +53,25 @@ fn are_same_bits(a: &[f64], b: &[f64]) -> bool {
 }
 
 /// A scene made of bytes.
-struct Scene<'a> {
-    /// The same bytes make the same view.
-    bytes: &'a [u8],
+struct Scene {
+    text: SceneText,
     settings: Settings,
     /// The threshold for mirrored light.
     cutoff: f64,
-    view: View<ShadowedWorld>,
 }
 
-impl<'a> Scene<'a> {
-    fn new(bytes: &'a [u8]) -> Result<Self> {
-        let u = &mut Unstructured::new(bytes);
-        let settings = settings(u)?;
-        let cutoff = f64::from(u.arbitrary::<u8>()?) / 512.0;
-        let (camera, world) = (camera(u)?, world(u)?);
+impl Scene {
+    fn new(u: &mut Unstructured) -> Result<Self> {
         Ok(Self {
-            bytes,
-            settings,
-            cutoff,
-            view: View { camera, world },
+            settings: settings(u)?,
+            cutoff: f64::from(u.arbitrary::<u8>()?) / 512.0,
+            text: scene_files::text(u, &|text| view(text).is_ok()),
         })
-    }
-
-    /// The view once more.
-    fn view_again(&self) -> View<ShadowedWorld> {
-        Self::new(self.bytes).expect("it was made before").view
     }
 
     /// The channels of the scene's picture.
     fn channels(&self, renderer: Renderer, max_error: Option<f64>) -> Vec<f64> {
-        self.channels_of(self.view_again(), renderer, max_error)
+        self.channels_of(view(&self.text).expect("a view"), renderer, max_error)
     }
 
     fn channels_of(
@@ -94,15 +95,15 @@ impl<'a> Scene<'a> {
 
     /// Fails with the scene in words, if these channels are not right.
     fn check(&self, is_right: bool, channels: &[f64]) {
-        let (settings, world) = (&self.settings, &self.view.world);
-        assert!(is_right, "{channels:?}: {settings:#?}\n{world:#?}");
+        let (settings, text) = (&self.settings, &self.text);
+        assert!(is_right, "{channels:?}: {settings:#?}\n{text:#?}");
     }
 
     /// Compares pictures with and without the cutoff of reflections. All rays of a pixel are the
     /// same, so that nothing else differs.
     fn check_cutoff(&self) {
         let render = |max_error| {
-            let View { camera, world } = self.view_again();
+            let View { camera, world } = view(&self.text).expect("a view");
             let view = View::new(Middles(camera), world);
             self.channels_of(view, Renderer::Engine, max_error)
         };
@@ -117,6 +118,29 @@ impl<'a> Scene<'a> {
             self.check(is_near, &cut);
         }
     }
+}
+
+fn view(text: &SceneText) -> std::result::Result<View<ShadowedWorld>, Error> {
+    let file = FORMAT.read(&text.scene, &|name| text.mesh(name))?;
+    read_view(&file, KINDS)
+}
+
+/// Hits of rays of a length that a node may give them, and of any at all.
+fn check_hits(u: &mut Unstructured, shape: &dyn Geometry) -> Result<()> {
+    let (min, max) = (number(u)?, number(u)?);
+    let (origin, direction) = (point(u)?, vector(u)?);
+    let mut rays = vec![Ray::derived(origin, direction)];
+    rays.extend(accepted(Ray::new(origin, direction)));
+    for ray in rays {
+        for within in [Interval { min, max }, Interval::AHEAD] {
+            if let Some(hit) = shape.hit(&ray, within) {
+                assert!(within.contains(hit.t), "{hit:?}: {shape:?} {ray:?}");
+                assert_unit(hit.normal.into());
+                assert_unit(hit.geometric_normal.into());
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A camera whose rays all go through the middles of pixels.
@@ -139,62 +163,5 @@ fn settings(u: &mut Unstructured) -> Result<Settings> {
         seed: u.arbitrary::<u8>()?.into(),
         depth: u.int_in_range(1..=8)?,
         ..Settings::default()
-    })
-}
-
-/// Up to three lights and twelve objects.
-fn world(u: &mut Unstructured) -> Result<ShadowedWorld> {
-    let (background, ambient) = (color(u)?, color(u)?);
-    let empty = accepted(ShadowedWorld::empty(background, ambient));
-    let dark = || ShadowedWorld::empty(Color::BLACK, Color::gray(0.1)).expect("a world");
-    let mut world = empty.unwrap_or_else(dark);
-    for _ in 0..u.int_in_range(0..=3)? {
-        if let Some(light) = light(u)? {
-            world = world.lit_by(light);
-        }
-    }
-    for _ in 0..u.int_in_range(0..=12)? {
-        if let (Some(shape), Some(surface)) = (shape(u, 3)?, surface(u)?) {
-            world = world.with(shape, surface);
-        }
-    }
-    Ok(world)
-}
-
-fn light(u: &mut Unstructured) -> Result<Option<LightSource>> {
-    let kind = u.int_in_range(0..=3)?;
-    let casts_shadows = u.ratio(3, 4)?;
-    let color = color(u)?;
-    Ok(match kind {
-        0 => {
-            let light = DirectionalLight::new(color, vector(u)?);
-            accepted(light).map(|light| LightSource::new(light, casts_shadows))
-        }
-        1 => {
-            let light = SpotLight::new(color, point(u)?, vector(u)?, number(u)?);
-            accepted(light).map(|light| LightSource::new(light, casts_shadows))
-        }
-        _ => {
-            let light = PointLight::new(color, point(u)?);
-            accepted(light).map(|light| LightSource::new(light, casts_shadows))
-        }
-    })
-}
-
-fn surface(u: &mut Unstructured) -> Result<Option<Box<dyn Surface>>> {
-    let kind = u.int_in_range(0..=4)?;
-    let diffuse = color(u)?;
-    Ok(match kind {
-        0 => boxed!(SingleColor::new(diffuse)),
-        1 => boxed!(Lambert::new(diffuse)),
-        2 => {
-            let (specular, exponent) = (color(u)?, number(u)?);
-            boxed!(Phong::new(diffuse, specular, exponent))
-        }
-        _ => {
-            let (specular, exponent) = (color(u)?, number(u)?);
-            let reflectance = color(u)?;
-            boxed!(Reflective::new(diffuse, specular, exponent, reflectance))
-        }
     })
 }

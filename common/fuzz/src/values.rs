@@ -3,37 +3,20 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera};
-use a04_intersections::kinds::Shared;
-use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
-use a07_transforms::kinds::KINDS;
-use a07_transforms::{Disc, Node, Transform};
+use a07_transforms::Transform;
 use arbitrary::{Result, Unstructured};
-use common::{ArgumentError, Color};
+use common::ArgumentError;
+use random_scene::{Numbers, Style};
 
-/// Ends of the ranges that constructors and number formats have, and numbers
-/// beyond.
-#[rustfmt::skip]
-const ENDS: [f64; 24] = [
-    0.0, -0.0, 1.0, -1.0, 1.0 - f64::EPSILON / 2.0, 1.0 + f64::EPSILON,
-    1e-100, 1e100, -1e100, 1e-7, 1e-12, 1e50, 1e-50, 1e150, 1e-150, 1e160, 1e-160,
-    std::f64::consts::PI, std::f64::consts::FRAC_PI_2,
-    f64::MIN_POSITIVE, f64::MAX, 5e-324, f64::INFINITY, f64::NAN,
-];
+/// Draws whole numbers from bytes; 0 behind their end.
+pub fn below(u: &mut Unstructured, end: u32) -> u32 {
+    u.int_in_range(0..=end - 1).unwrap_or(0)
+}
 
 /// Any number.
 pub fn number(u: &mut Unstructured) -> Result<f64> {
-    Ok(match u.int_in_range(0..=7)? {
-        0 => f64::from_bits(u.arbitrary()?),
-        1 => *u.choose(&ENDS)?,
-        // A power of two from 2^-384 to 2^381, whose sum with anything rounds.
-        2 => {
-            let exponent = 3 * i64::from(u.arbitrary::<i8>()?);
-            f64::from_bits(((1023 + exponent) as u64) << 52)
-        }
-        3 => f64::from(u.arbitrary::<i16>()?) / 4096.0,
-        // So few that they repeat: edges that touch, shapes within each other.
-        _ => f64::from(u.arbitrary::<i8>()?) / 8.0,
-    })
+    let below = &mut |end| below(u, end);
+    Ok(Numbers::new(below, Style::Any).any())
 }
 
 /// Three of them.
@@ -56,16 +39,6 @@ pub fn normal(u: &mut Unstructured) -> Result<Normal3> {
     vector(u).map(Vector3::as_normal)
 }
 
-/// A colour, most of them from 0 to 1.
-pub fn color(u: &mut Unstructured) -> Result<Color> {
-    if u.ratio(1, 4)? {
-        let [r, g, b] = three(u)?;
-        Ok(Color::new(r, g, b))
-    } else {
-        Ok(Color::from_packed(u.arbitrary()?))
-    }
-}
-
 /// The result of a constructor; an error must have a message.
 pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
     match made {
@@ -82,68 +55,6 @@ macro_rules! boxed {
     ($made:expr) => {
         accepted($made).map(|made| Box::new(made) as _)
     };
-}
-pub(crate) use boxed;
-
-/// A shape, with up to these levels of nodes; none if its constructor refuses the numbers.
-pub fn shape(u: &mut Unstructured, levels: u32) -> Result<Option<Box<dyn Geometry>>> {
-    Ok(match u.int_in_range(0..=8)? {
-        0 => {
-            let (point, normal) = (point(u)?, normal(u)?);
-            boxed!(Plane::new(point, normal))
-        }
-        1 => {
-            let (low, high) = (point(u)?, point(u)?);
-            boxed!(AxisAlignedBox::new(low, high))
-        }
-        2 => {
-            let (center, normal) = (point(u)?, normal(u)?);
-            boxed!(Disc::new(center, normal, number(u)?))
-        }
-        3 | 4 => {
-            let (center, radius) = (point(u)?, number(u)?);
-            boxed!(Sphere::new(center, radius))
-        }
-        5 => {
-            let [a, b, c] = [point(u)?, point(u)?, point(u)?];
-            boxed!(Triangle::new(a, b, c))
-        }
-        6 => {
-            let [a, b, c] = [point(u)?, point(u)?, point(u)?];
-            let normals = [normal(u)?, normal(u)?, normal(u)?];
-            let flat = Triangle::new(a, b, c);
-            boxed!(flat.and_then(|triangle| triangle.with_normals(normals)))
-        }
-        _ if levels == 0 => None,
-        7 => Some(Box::new(several_uses(u, levels - 1)?)),
-        _ => Some(Box::new(node(u, levels - 1)?)),
-    })
-}
-
-/// A node with up to three children.
-fn node(u: &mut Unstructured, levels: u32) -> Result<Node> {
-    let mut node = Node::new(transform(u)?);
-    for _ in 0..u.int_in_range(0..=3)? {
-        if let Some(child) = shape(u, levels)? {
-            node = node.with(child);
-        }
-    }
-    Ok(node)
-}
-
-/// A node with up to three uses of the same shapes.
-fn several_uses(u: &mut Unstructured, levels: u32) -> Result<Node> {
-    let mut shapes = Vec::new();
-    for _ in 0..u.int_in_range(1..=7)? {
-        shapes.extend(shape(u, levels)?);
-    }
-    let shared = Shared::new(shapes, KINDS);
-    let mut node = Node::new(transform(u)?);
-    for _ in 0..u.int_in_range(1..=3)? {
-        let used = Node::new(transform(u)?).with(shared.clone());
-        node = node.with(used);
-    }
-    Ok(node)
 }
 
 /// A chain of up to four steps; refused steps are skipped.
@@ -184,4 +95,9 @@ pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
     };
     let default = || boxed!(PinholeCamera::new(Point3::new(1.0, 2.0, 20.0), 1.0));
     Ok(camera.or_else(default).expect("a camera"))
+}
+
+/// A length of 1, up to the rounding of three quotients and a root.
+pub fn assert_unit(v: Vector3) {
+    assert!((v.magnitude() - 1.0).abs() <= 4.0 * f64::EPSILON, "{v:?}");
 }

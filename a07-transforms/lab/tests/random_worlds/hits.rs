@@ -1,127 +1,94 @@
-//! The engine hits the shapes of stage 4 as the lesson's list does, to the last bit.
+//! The engine hits shapes as the lesson's list does, to the last bit: a pixel is the hit of a ray.
 
-mod edges;
-mod nodes;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::kinds::KINDS;
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use a04_lab::support::Numbers;
-use common::Color;
+use a02_math::Vector3;
+use a03_rays_cameras::{Ray, View};
+use a04_intersections::{Geometry, Hit, Interval, World};
+use a05_lighting::{Lighting, Material};
+use a06_shadows_reflection::{ShadowedWorld, Surface};
+use a07_transforms::kinds::{FORMAT, KINDS};
+use a07_transforms::traced;
+use common::{Color, Settings, Size};
+use random_scene::Numbers;
+use scene_file::FirstMistake;
+use testing::Random;
 
-use crate::same_hits::compare;
+use crate::compare::{compare, compare_scenes};
+use crate::own_types::geometry;
+use crate::rays::Rays;
+use crate::scenes::{file, style, text};
 
-/// A scene of some size somewhere.
-#[derive(Clone, Copy)]
-struct Place {
-    middle: Vector3,
-    size: f64,
-}
-
-const HERE: Place = Place {
-    middle: Vector3::new(0.0, 0.0, 0.0),
-    size: 1.0,
-};
-
-/// A shape that the engine does not know.
+/// The surface of this number, whose colour is `t`, a hash of all other numbers of ray and hit, and its number.
 #[derive(Debug)]
-struct Unknown(Sphere);
+struct Bits(usize);
 
-impl Geometry for Unknown {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        self.0.hit(ray, within)
+impl Material for Bits {
+    fn color_for(&self, ray: &Ray, hit: &Hit, _: &dyn Lighting) -> Color {
+        let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
+        let numbers = [o, d, hit.normal.to_glam(), hit.geometric_normal.to_glam()];
+        let mut hasher = DefaultHasher::new();
+        numbers
+            .map(|v| v.to_array().map(f64::to_bits))
+            .hash(&mut hasher);
+        Color::new(hit.t, (hasher.finish() >> 11) as f64, 1.0 + self.0 as f64)
     }
 }
 
-impl Place {
-    fn point(self, at: Vector3) -> Point3 {
-        Point3::ORIGIN + self.middle + at * self.size
-    }
+impl Surface for Bits {}
 
-    /// A world of `count` random shapes of all kinds, some of them twice, some of them needles
-    /// and some of a type that the engine does not know; the surface of each is its number.
-    fn world(self, seed: u64, count: usize) -> World<usize> {
-        let mut numbers = Numbers::new(seed, 0);
-        let mut world = World::new(Color::BLACK).unwrap();
-        let small = 2.0 / libm::cbrt(count as f64);
-        for i in 0..count {
-            let at = numbers.triple(-1.0, 1.0);
-            let [a, b] = [(); 2].map(|()| numbers.triple(-small, small));
-            let needle = at + a * 0.5 + b * 1e-9;
-            let [p, q, r, needle] = [at, at + a, at + b, needle].map(|at| self.point(at));
-            let length = self.size * small * numbers.between(0.05, 1.05);
-            let sphere = Sphere::new(p, length).unwrap();
-            let normals = [(); 3].map(|()| numbers.triple(-1.0, 1.0).as_normal());
-            let shape: Box<dyn Geometry> = match i % 9 {
-                0..3 => Box::new(sphere),
-                3 => Box::new(AxisAlignedBox::new(p, q).unwrap()),
-                // The same sphere twice: the first one counts.
-                4 => {
-                    world = world.with(sphere, count + i);
-                    Box::new(sphere)
-                }
-                5 => Box::new(Unknown(sphere)),
-                // Rounding may put the corners of a tiny triangle on a line.
-                kind => match Triangle::new(p, q, if kind == 6 { needle } else { r }) {
-                    Ok(flat) if kind == 7 => Box::new(flat.with_normals(normals).unwrap()),
-                    Ok(flat) => Box::new(flat),
-                    Err(_) => continue,
-                },
-            };
-            world = world.with(shape, i);
-        }
-        let down = self.point(Vector3::new(0.0, -1.2, 0.0));
-        let floor = Plane::new(down, Normal3::new(0.0, 1.0, 0.1)).unwrap();
-        world.with(floor, 2 * count)
+/// The view of these rays, in which each shape has a number.
+fn view(rays: Rays, shapes: impl IntoIterator<Item = Box<dyn Geometry>>) -> View {
+    let mut world = ShadowedWorld::empty(Color::BLACK, Color::BLACK).unwrap();
+    for (number, shape) in shapes.into_iter().enumerate() {
+        world = world.with(shape, Box::new(Bits(number)));
     }
-
-    /// Ten rays, from an eye and to a lamp, parallel ones, along axes, and in all directions.
-    fn rays(self, numbers: &mut Numbers, eye: Point3, lamp: Point3) -> [Ray; 10] {
-        let sun = Vector3::new(-1.0, -2.0, 0.5);
-        let [a, b, c] = [1.0, 3.0, 1.0].map(|reach| self.point(numbers.triple(-reach, reach)));
-        [
-            (eye, a - eye),
-            (eye, c - eye),
-            (a, lamp - a),
-            (c, lamp - c),
-            (b, -sun),
-            (a, sun),
-            (b, a - b),
-            (a, numbers.triple(-1.0, 1.0)),
-            (a, Vector3::new(0.0, 0.0, 1.0)),
-            (a, Vector3::new(-1.0, -0.0, -0.0)),
-        ]
-        .map(|(from, way)| Ray::new(from, way).unwrap())
-    }
-
-    fn check(self, seed: u64, shape_count: usize, count: usize) {
-        let [eye, lamp, inside] = [[3.0, 2.0, 4.0], [-1.0, 5.0, 2.0], [0.1, 0.2, -0.1]]
-            .map(|at| self.point(Vector3::from_glam(at.into())));
-        let world = self.world(seed, shape_count);
-        let mut numbers = Numbers::new(seed + 1, 0);
-        for (eye, lamp) in [(eye, lamp), (lamp, eye), (inside, inside)] {
-            let rays = (0..count).flat_map(|_| self.rays(&mut numbers, eye, lamp));
-            let hits = compare(&world, KINDS, &rays.collect::<Vec<_>>());
-            assert!(hits > count, "{hits}");
-        }
-    }
+    traced(View::new(rays, world))
 }
 
+/// Compares the hits of shapes, and returns the number of rays that hit one.
+pub fn hits<G: Geometry + Clone>(shapes: &[G], rays: &[Ray]) -> usize {
+    let boxed = |shape: &G| -> Box<dyn Geometry> { Box::new(shape.clone()) };
+    // Rays that differ little traverse the tree together: four of each ray, and 64 of some.
+    let near = |ray: &Ray, k: u32| {
+        let aside = Vector3::new(1e-3, -2e-4, 3e-4) * f64::from(k);
+        Ray::new(ray.origin(), ray.direction() + aside).unwrap()
+    };
+    let mut all = rays.to_vec();
+    all.resize(all.len().next_multiple_of(64), rays[0]);
+    for ray in rays {
+        all.extend([*ray, near(ray, 1), near(ray, 2), near(ray, 3)]);
+    }
+    all.resize(all.len().next_multiple_of(64), rays[0]);
+    for ray in rays.iter().step_by(33) {
+        all.extend((0..64).map(|k| near(ray, k)));
+    }
+    let again = || view(Rays(all.clone()), shapes.iter().map(boxed));
+    let settings = Settings {
+        size: Size::new(32, 2 * all.len().div_ceil(64) as u32).unwrap(),
+        ..Settings::default()
+    };
+    compare(0, again, &settings);
+    let world = World::new(Color::BLACK).unwrap();
+    let world = shapes
+        .iter()
+        .fold(world, |world, shape| world.with(shape.clone(), ()));
+    let is_hit = |ray: &&Ray| world.hit(ray, Interval::AHEAD).is_some();
+    rays.iter().filter(is_hit).count()
+}
+
+/// Also of a student's own.
 #[test]
-fn few_and_many_shapes_are_met_as_in_the_list() {
-    for (seed, shapes) in [(10, 1), (20, 6), (30, 9), (40, 60), (50, 2_000)] {
-        HERE.check(seed, shapes, 25_000 / shapes.max(10));
-    }
-}
-
-#[test]
-fn the_size_of_a_scene_does_not_matter_nor_its_place() {
-    for (seed, size) in (0..).zip([1e-95, 1e-40, 1e-6, 1e6, 1e40, 1e95]) {
-        Place { size, ..HERE }.check(seed, 100, 300);
-    }
-    for (seed, far) in (0..).zip([1e3, 1e6, 1e9, 1e13]) {
-        let middle = Vector3::new(far, -far, far);
-        Place { middle, ..HERE }.check(seed, 100, 300);
-    }
+fn shapes_are_met_as_in_the_list() {
+    compare_scenes(0..60, |seed| {
+        let file = file(FORMAT, &text(seed, style(seed), FORMAT)).ok()?;
+        let mut first = FirstMistake::of(&file);
+        let objects = KINDS.read_objects(&file, &mut first, |_| Ok(()));
+        let mut shapes: Vec<_> = objects.into_iter().map(|(shape, ())| shape).collect();
+        let mut random = Random::new(seed);
+        let below = &mut |end| random.below(end);
+        shapes.push(geometry(&mut Numbers::new(below, style(seed)))?);
+        first.result(Some(())).ok()?;
+        Some(view(Rays::new(seed, style(seed)), shapes))
+    });
 }

@@ -116,7 +116,7 @@ fn meshes_do_no_harm() {
 
 #[test]
 fn scenes_do_no_harm() {
-    for_seeds(3000, |random| scenes::check(&any_bytes(1000, random)));
+    for_seeds(2000, |random| scenes::check(&any_bytes(1000, random)));
 }
 
 #[test]

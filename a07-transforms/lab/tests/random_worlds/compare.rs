@@ -2,16 +2,10 @@
 
 use std::collections::HashSet;
 use std::env;
-use std::fmt::Debug;
 use std::ops::Range;
 
 use a03_rays_cameras::View;
-use common::{Color, Image, Renderer, Settings, Size};
-
-use crate::random_scene::Place;
-
-/// Width and height of the pictures of extreme scenes.
-const SIDE: u32 = 32;
+use common::{Color, Image, Renderer, Sampling, Settings, Size};
 
 /// Renders a view with all renderers, and returns the lesson's picture. The world is that of a seed.
 pub fn compare(seed: u64, view: impl Fn() -> View, settings: &Settings) -> Image {
@@ -53,23 +47,27 @@ pub fn or_asked(seeds: Range<u64>) -> Range<u64> {
     seeds.start..asked.map_or(seeds.end, |count| seeds.start + count)
 }
 
-/// Compares the renderers in extreme scenes with these seeds, or in more of them. A scene without a view has numbers
-/// beyond the limits of the lesson. Most of them have to have a picture, and some of these more than ten colours.
-pub fn compare_scenes<E: Debug>(seeds: Range<u64>, view: impl Fn(u64, Place) -> Result<View, E>) {
+/// Compares the renderers in the scenes of these seeds, or in more of them, with settings of all kinds. A scene
+/// without a view has numbers beyond the limits of the lesson. Most of them have to have a picture, and some of these
+/// more than ten colours.
+pub fn compare_scenes(seeds: Range<u64>, view: impl Fn(u64) -> Option<View>) {
     let seeds = or_asked(seeds);
     let count = seeds.end - seeds.start;
-    let settings = Settings {
-        size: Size::new(SIDE, SIDE).unwrap(),
-        depth: 4,
-        ..Settings::default()
-    };
     let (mut pictures, mut colorful) = (0, 0);
     for seed in seeds {
-        let view = || view(seed, Place::new(seed));
-        if view().is_err() {
+        if view(seed).is_none() {
             continue;
         }
-        let image = compare(seed, || view().unwrap(), &settings);
+        // More rays than a batch of the engine has, and fewer.
+        let (width, height) = [(32, 32), (16, 12), (7, 40), (5, 3)][seed as usize / 3 % 4];
+        let settings = Settings {
+            size: Size::new(width, height).unwrap(),
+            samples: 1 + seed as u32 / 2 % 2,
+            sampling: [Sampling::Center, Sampling::Random][seed as usize / 2 % 2],
+            depth: [4, 5, 3, 6, 1, 0][seed as usize % 6],
+            ..Settings::default()
+        };
+        let image = compare(seed, || view(seed).unwrap(), &settings);
         let mut colors = HashSet::new();
         for color in image.pixels() {
             colors.insert(color.channels().map(f64::to_bits));

@@ -3,20 +3,10 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::kinds::KINDS;
-use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
+use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a04_lab::support::Numbers;
-use common::Color;
 
-use crate::same_hits::compare;
-
-/// The number of rays that hit one of these shapes, as the engine and the list agree.
-fn hits<G: Geometry + Clone>(these: &[G], rays: &[Ray]) -> usize {
-    let empty = World::new(Color::BLACK).unwrap();
-    let these = these.iter().cloned().enumerate();
-    let world = these.fold(empty, |world, (i, shape)| world.with(shape, i));
-    compare(&world, KINDS, rays)
-}
+use crate::hits::hits;
 
 /// From a point to a point.
 fn towards(from: Point3, to: Point3) -> Ray {

@@ -1,0 +1,83 @@
+//! Each kind of input that scene files allow occurs in random scenes.
+
+use std::collections::HashMap;
+
+use a07_transforms::kinds::FORMAT;
+use random_scene::{MESHES, Style};
+use scene_file::KINDS;
+
+use crate::scenes::text;
+
+/// What several keys say together, by a part of the text.
+const TOGETHER: [(&str, &str); 10] = [
+    ("negative factor", "scale = [-"),
+    ("tiny factor", "1e-9]"),
+    ("flat mesh", "smooth = false"),
+    ("smooth mesh", "smooth = true"),
+    ("group in a group", "group.group."),
+    ("group in a repeat", "repeat.group."),
+    ("repeat in a definition", "[define.whole.repeat."),
+    ("definition in a definition", "[define.whole.use]]"),
+    ("mesh in a definition", "[define.part.mesh]]"),
+    ("light without shadows", "shadows = false"),
+];
+
+/// The tables and keys of a scene, and what they say together.
+fn found(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for table in text.split("\n[") {
+        let (header, keys) = table.split_once('\n').unwrap_or((table, ""));
+        let mut names = header.trim_matches(['[', ']']).rsplit('.');
+        // Behind the name of a table, a material has one of its own.
+        let kind = names.find(|name| KINDS.iter().any(|kind| kind.name == *name));
+        for (key, value) in keys.lines().filter_map(|line| line.split_once(" = ")) {
+            found.push(format!("{} {key}", kind.expect(header)));
+            let keys_of_steps = value.split(['{', ',']).filter(|_| key == "transform");
+            found.extend(keys_of_steps.filter_map(|step| {
+                let (key, _) = step.split_once(" = ")?;
+                Some(format!("step {}", key.trim()))
+            }));
+            if key == "file" {
+                found.push(format!("mesh {value}"));
+            }
+        }
+    }
+    let together = TOGETHER.iter().filter(|(_, part)| text.contains(part));
+    found.extend(together.map(|(name, _)| (*name).to_owned()));
+    // All keys of a shape stand before its surface.
+    let tables: Vec<_> = text.split("\n[[").collect();
+    let is_twice = tables.windows(2).any(|pair| {
+        let surface = pair[0].rfind("\nmaterial").or(pair[0].rfind("\ncolor"));
+        surface
+            .is_some_and(|at| pair[0][..at].contains('\n') && pair[1].starts_with(&pair[0][..at]))
+    });
+    found.extend(is_twice.then(|| "two shapes at one place".to_owned()));
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+#[test]
+fn every_kind_of_input_occurs_in_random_scenes() {
+    let mut counts: HashMap<String, usize> = HashMap::new();
+    for seed in 0..300 {
+        for name in found(&text(seed, Style::Plain, FORMAT).scene) {
+            *counts.entry(name).or_default() += 1;
+        }
+    }
+    let mut expected = vec!["two shapes at one place".to_owned()];
+    // The settings of a picture are those of the tests.
+    for kind in KINDS.iter().filter(|kind| kind.name != "picture") {
+        // Tables in a table have no meaning of their own.
+        let keys = kind.keys.iter().filter(|key| !key.about.is_empty());
+        expected.extend(keys.map(|key| format!("{} {}", kind.name, key.name)));
+    }
+    expected.extend(TOGETHER.map(|(name, _)| name.to_owned()));
+    expected.extend(MESHES.map(|name| format!("mesh {name:?}")));
+    for name in &expected {
+        let count = counts.get(name).copied().unwrap_or_default();
+        println!("{name}: {count}");
+        assert!(count >= 20, "{count} of 300 scenes have: {name}");
+    }
+    println!("{} kinds of input", expected.len());
+}
