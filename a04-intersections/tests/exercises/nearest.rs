@@ -32,7 +32,8 @@ pub fn exercise() -> Exercise<Code> {
 fn questions() -> Vec<CodeQuestion<Code>> {
     let (mut simple, mut others, mut r) = (Vec::new(), Vec::new(), Random::new(2));
     for zs in ORDERS {
-        for min in [0.0, 4.5, 7.5] {
+        // Also from within spheres on.
+        for min in [0.0, 4.5, 7.5, 2.5, 5.5, 8.5] {
             simple.push((zs, ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0)));
         }
         // Along the triangle, which is seen from before and from behind; from behind to the triangle, into a sphere from inside, past all, and up to before the first.
@@ -50,6 +51,12 @@ fn questions() -> Vec<CodeQuestion<Code>> {
             for ray in around([0.0, 0.0, -6.0], &mut r) {
                 others.push((zs, ray));
             }
+        }
+    }
+    // Two hits close to each other, in both orders.
+    for distance in [1e-3, 1e-6, 1e-12] {
+        for zs in [[-3.0, -3.0 - distance, -9.0], [-3.0 - distance, -3.0, -9.0]] {
+            simple.push((zs, ahead([0.0; 3], [0.0, 0.0, -1.0])));
         }
     }
     let questions = Questions {

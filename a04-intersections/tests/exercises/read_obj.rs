@@ -9,7 +9,7 @@ yours! { read_obj }
 type Code = fn(&str) -> Result<Vec<Triangle>, String>;
 
 /// Lines after three corners.
-const LINES: [&str; 18] = [
+const LINES: [&str; 19] = [
     "",
     "f 1 2 3",
     "  f   1 2\t3  ",
@@ -22,6 +22,7 @@ const LINES: [&str; 18] = [
     "f 1 2 4",
     "f 0 1 2",
     "f -4 -2 -1",
+    "v 4 4 0\nf 1 2 -6",
     "f 1 2 x",
     "f 1 1 2",
     "\n# x\nf 1 2 9",

@@ -20,7 +20,7 @@ pub fn exercise() -> Exercise<Code> {
             first: (2.0, 0.75),
             further: vec![],
             on_surface: vec![],
-            own_rays: vec![],
+            own_rays: of_sizes(|size| (2.0 * size, 0.75 * size)),
             middle: |(ring, _)| [*ring, 0.0, 0.0],
             any: |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
         })

@@ -59,7 +59,10 @@ pub fn exercise() -> Exercise<Code> {
                 [0.0, 0.5, 0.0],
                 [0.0, 0.0, 2.0],
             ],
-            own_rays: vec![],
+            own_rays: of_sizes(|size| Parts {
+                steps: vec![Step::Scale([size; 3])],
+                children: balls_and_triangle,
+            }),
             middle: |parts| array(transform(&parts.steps).matrix() * Point3::ORIGIN),
             any: |r| Parts {
                 steps: Step::random(r),

@@ -6,7 +6,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Geometry;
 use testing::exercises::Made;
 
-use crate::rays::{RayWithin, ahead};
+use crate::rays::{Edge, RayWithin, ahead, beside, of_sizes};
 use crate::shape::{NewShape, Shapes, new_shape, own};
 
 /// The parameters of a box between two corners.
@@ -64,13 +64,33 @@ pub fn boxes() -> Shapes<Corners> {
         first: FIRST,
         further: vec![],
         on_surface: vec![[1.5, 0.0, 0.0], [0.5, -1.5, 0.25], [-0.5, 0.5, 1.5]],
-        own_rays: within_faces().into_iter().map(|ray| (FIRST, ray)).collect(),
+        own_rays: [
+            within_faces().into_iter().map(|ray| (FIRST, ray)).collect(),
+            of_sizes(|size| ([-1.5 * size; 3], [1.5 * size; 3])),
+            beside(&FIRST, &edges()),
+        ]
+        .concat(),
         middle: |(lbf, run)| [0, 1, 2].map(|k| f64::midpoint(lbf[k], run[k])),
         any: |r| {
             let lbf = r.triple(5.0);
             (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
         },
     }
+}
+
+/// Edges of the first box, seen along each axis.
+fn edges() -> Vec<Edge> {
+    let mut edges = Vec::new();
+    for axis in 0..3 {
+        for (across, side) in [((axis + 1) % 3, 1.0), ((axis + 2) % 3, -1.0)] {
+            let (mut on_edge, mut direction, mut outwards) = ([0.5; 3], [0.0; 3], [0.0; 3]);
+            (on_edge[axis], on_edge[across]) = (1.5, 1.5 * side);
+            direction[axis] = -1.0;
+            outwards[across] = side;
+            edges.push((on_edge, direction, outwards));
+        }
+    }
+    edges
 }
 
 /// Rays within the faces of the first box, which belong to it: from outside and from inside of the

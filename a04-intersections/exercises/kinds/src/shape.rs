@@ -147,7 +147,7 @@ impl<P: Input + 'static> Shapes<P> {
         }
         add(&self.first, &rays::from_points(&self.on_surface));
         for shape in &self.further {
-            add(shape, &rays::simple());
+            add(shape, &rays::few());
         }
         simple
     }
