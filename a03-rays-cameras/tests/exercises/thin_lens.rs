@@ -14,6 +14,8 @@ pub fn exercise() -> Exercise<Code> {
             (eye, gaze, 2.0, [4.0, 1.0], [0.0, 0.0]),
             (eye, gaze, 2.0, [4.0, 1.0], [1.0, 0.0]),
             (eye, gaze, 2.0, [4.0, 1.0], [0.0, 1.0]),
+            (eye, gaze, 1e-3, [4.0, 1.0], [1.0, 0.0]),
+            (eye, gaze, 1e6, [4.0, 1.0], [1.0, 0.0]),
         ],
         others: random(|r| {
             let (focus, on_lens) = (r.between(0.1, 20.0), [(); 2].map(|()| r.between(-0.5, 0.5)));

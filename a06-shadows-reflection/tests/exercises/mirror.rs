@@ -70,7 +70,11 @@ fn is_bent(world: &ShadowedWorld, ray: &Ray, depth: u32) -> bool {
 fn between_two_mirrors() -> Vec<CodeQuestion<Code>> {
     let mut simple = Vec::new();
     for height in [1.0, 5e-7, 1e6] {
-        for reflection in [Color::new(0.5, 0.25, 0.125), Color::new(0.1, 0.2, 0.05)] {
+        for reflection in [
+            Color::new(0.5, 0.25, 0.125),
+            Color::new(0.1, 0.2, 0.05),
+            Color::new(1.0, 0.0, 1e-6),
+        ] {
             for depth in [2, 5, 9] {
                 simple.push((height, reflection, depth));
             }

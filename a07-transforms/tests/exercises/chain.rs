@@ -16,6 +16,12 @@ pub fn exercise() -> Exercise<Code> {
             (vec![step], p),
             (vec![step, turn], p),
             (vec![turn, step], p),
+            (vec![Step::Scale([1e-12, 1.0, 1e12]), turn], [1.0, 2.0, 3.0]),
+            (vec![Step::Rotate(1, 1e-6), step], [1.0, 2.0, 3.0]),
+            (
+                vec![Step::Translate([1e-6, 1e6, 0.0]), turn],
+                [1.0, 2.0, 3.0],
+            ),
         ],
         others: random(|r| (Step::random(r), r.triple(3.0))),
         answer: |chain: &Code, (steps, p): (Vec<Step>, _)| {
