@@ -23,14 +23,17 @@ pub struct Divergence {
 
 impl fmt::Display for Divergence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            pixel: [x, y],
-            words,
-            section,
-            ..
-        } = self;
-        write!(f, "pixel ({x}, {y}): the same steps, up to\n  {words}\n")?;
-        write!(f, "  explained in book/src/{section}")
+        let (difference, section) = (self.difference(), self.section);
+        write!(f, "{difference}\n  explained in book/src/{section}")
+    }
+}
+
+impl Divergence {
+    /// The pixel and the value, without the section.
+    #[must_use]
+    pub fn difference(&self) -> String {
+        let ([x, y], words) = (self.pixel, &self.words);
+        format!("pixel ({x}, {y}): the same steps, up to\n  {words}")
     }
 }
 
@@ -66,7 +69,17 @@ impl PixelTrace {
                     others + &times(value, theirs)
                 }
                 None if !follows_rays => return None,
-                None if step.kind == StepKind::Hit => "has no hit".to_owned(),
+                None if step.kind == StepKind::Hit => {
+                    let ray = place.rsplit_once(", ").map(|(ray, _)| ray);
+                    let lacks_ray =
+                        ray.is_some_and(|ray| !others.keys().any(|place| place.starts_with(ray)));
+                    let words = if lacks_ray {
+                        "lacks this ray"
+                    } else {
+                        "has no hit"
+                    };
+                    words.to_owned()
+                }
                 None if step.kind == StepKind::Background => "has a hit".to_owned(),
                 None if step.kind == StepKind::Light && symbol == "cl" => "lacks it".to_owned(),
                 None => return None,
@@ -148,6 +161,29 @@ mod tests {
             "  explained in book/src/page",
         ];
         assert_eq!(text, lines.join("\n"));
+    }
+
+    /// Where the other code follows no further ray, nobody has asked for a hit.
+    #[test]
+    fn a_ray_that_is_not_followed_is_no_ray_without_a_hit() {
+        let mut hit = Step::new(HIT.0, HIT.1, "page").with("x", [1.0]);
+        hit.level = 1;
+        let ray = Step::new(RAY.0, RAY.1, "page").with("x", [1.0]);
+        let reflected = Step::new(StepKind::ReflectedRay, "reflected ray", "page");
+        let words = |theirs| {
+            let ours = of_steps(vec![ray.clone(), reflected.clone(), hit.clone()]);
+            let parts = ours.first_divergence(&of_steps(theirs), "yours", ROUNDING);
+            parts.unwrap().words
+        };
+        assert_eq!(
+            words(vec![ray.clone()]),
+            "reflected ray, hit: x is 1, yours lacks this ray"
+        );
+        let followed = reflected.clone().with("y", [1.0]);
+        assert_eq!(
+            words(vec![ray.clone(), followed]),
+            "reflected ray, hit: x is 1, yours has no hit"
+        );
     }
 
     #[test]
