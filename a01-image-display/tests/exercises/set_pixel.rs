@@ -14,20 +14,32 @@ pub fn exercise() -> Exercise<Code> {
             Ok(image)
         })
     });
-    let colors = Form::new(|set_pixel: &Code, (color, paper, x, y): (String, String, _, _)| {
-        let [color, paper] = [color, paper].map(|name| match &*name {
-            "green" => Color::GREEN,
-            "blue" => Color::BLUE,
-            _ => Color::BLACK,
-        });
-        painted((4, 3), |size| {
-            let mut image = Image::from_fn(size, |_, _| paper)?;
-            set_pixel(&mut image, x, y, color);
+    let colors = Form::new(
+        |set_pixel: &Code, (color, paper, x, y): (String, String, _, _)| {
+            let [color, paper] = [color, paper].map(|name| match &*name {
+                "green" => Color::GREEN,
+                "blue" => Color::BLUE,
+                _ => Color::BLACK,
+            });
+            painted((4, 3), |size| {
+                let mut image = Image::from_fn(size, |_, _| paper)?;
+                set_pixel(&mut image, x, y, color);
+                Ok(image)
+            })
+        },
+    );
+    let pictures = Form::new(|set_pixel: &Code, places: Vec<[u32; 2]>| {
+        painted((5, 4), |size| {
+            let mut image = Image::black(size)?;
+            let colors = [Color::RED, Color::GREEN, Color::BLUE].into_iter().cycle();
+            for ([x, y], color) in places.iter().zip(colors) {
+                set_pixel(&mut image, *x, *y, color);
+            }
             Ok(image)
         })
     });
     Exercise {
-        forms: vec![red, colors],
+        forms: vec![red, colors, pictures],
         picture: Picture::own(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
         ..Exercise::default()
     }

@@ -5,5 +5,7 @@ use crate::prelude::*;
 yours! { stretched_normal }
 
 pub fn exercise() -> Exercise<fn(Normal3, [f64; 3]) -> Option<Normal3>> {
-    Exercise::asked(|stretched_normal, (n, factors)| stretched_normal(vector(n).as_normal(), factors).map(array))
+    Exercise::asked(|stretched_normal, (n, factors)| {
+        stretched_normal(vector(n).as_normal(), factors).map(array)
+    })
 }
