@@ -1,28 +1,27 @@
 //! `grade`: judges the files of students in a handout without solutions.
 
-use std::fs;
 use std::path::PathBuf;
 
 use learn::exercise::{self, Exercise};
-use learn::files::with_path;
 
+use crate::collected::Collected;
 use crate::exercises;
 use crate::grading_folder::GradingFolder;
-use crate::handout::Handout;
+use crate::hand_in::HandedFile;
 use crate::judge::judge;
 use crate::outcome::{Graded, Judged, Outcome, State};
 use crate::own_program;
 use crate::results;
 use crate::sheet;
-use crate::submission::{self, Found, Submission};
+use crate::submission::{Found, Submission, names};
 use crate::unnamed::Unnamed;
 
 /// Judges what students hand in, with limits
 #[derive(clap::Args)]
 pub struct Grade {
-    /// A folder or zip file of a student, or of all students; without any, only what is needed is
-    /// built
-    #[arg(value_name = "FOLDER_OR_ZIP")]
+    /// A folder with a folder or a zip file of each student, or the zip file of one; without any, only what
+    /// is needed is built
+    #[arg(value_name = "COLLECTED")]
     paths: Vec<PathBuf>,
     /// The last stage whose exercises count, such as a04 [default: all stages]
     #[arg(long, value_name = "STAGE")]
@@ -33,7 +32,8 @@ pub struct Grade {
     /// The open sheets that count; exercises then only if they are named, too
     #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
     sheets: Vec<String>,
-    /// Also writes results.csv, a text for each student, and a page of all pictures into this folder
+    /// Also writes a table, results.xlsx and results.csv, a text for each student, and a page of all pictures into this
+    /// folder
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
@@ -54,17 +54,8 @@ impl Grade {
         }
         self.exercises
             .sort_by_key(|e| course.iter().position(|of| of == *e));
-        for path in &self.paths {
-            fs::metadata(path).map_err(with_path(path))?;
-        }
-        let submissions = submission::read(&self.paths, course);
-        let submissions = submissions.map_err(|error| format!("a folder: {error}"))?;
-        let mut programs = Vec::new();
-        if !sheets.is_empty() {
-            programs =
-                own_program::find(&self.paths).map_err(|error| format!("a folder: {error}"))?;
-        }
-        let folder = self.prepare(course)?;
+        let collected = Collected::read(&self.paths, course)?;
+        let folder = GradingFolder::new(course, &self.exercises)?;
         if !sheets.is_empty() {
             own_program::prepare(&folder)?;
         }
@@ -76,21 +67,30 @@ impl Grade {
                 Err(format!("these do not build: {}", faulty.join(", ")))
             };
         }
-        let (mut graded, mut unnamed) = (Vec::new(), Unnamed::default());
-        if !self.exercises.is_empty() {
-            for submission in &submissions {
-                let student = self.judge_all(submission, &folder, &mut unnamed)?;
-                print!("{}", results::text(&student));
-                graded.push(student);
-            }
+        if !collected.of_nobody.is_empty() {
+            let names = names(collected.of_nobody.into_iter());
+            println!("of no student: {names}");
         }
-        for programs in programs.chunk_by(|a, b| a.student == b.student) {
-            let student = sheet::judge_all(programs, &sheets, &folder, self.output.as_deref());
-            print!("{}", results::text(&student));
-            match graded.iter_mut().find(|other| other.name == student.name) {
-                Some(other) => other.results.extend(student.results),
-                None => graded.push(student),
+        let (mut graded, mut unnamed) = (Vec::new(), Unnamed::default());
+        for student in &collected.students {
+            let files = student.files();
+            let mut results =
+                self.judge_exercises(&student.name, &files, course, &folder, &mut unnamed)?;
+            if !sheets.is_empty() {
+                let programs = own_program::find(&files);
+                let output = self.output.as_deref();
+                results.extend(sheet::judge_all(
+                    &student.name,
+                    &programs,
+                    &sheets,
+                    &folder,
+                    output,
+                ));
             }
+            let name = student.name.clone();
+            let student = Graded { name, results };
+            print!("{}", results::text(&student));
+            graded.push(student);
         }
         print!("{}", unnamed.list()?);
         let needs_a_look = |judged: &Judged| judged.outcome.state == State::NeedsALook;
@@ -107,33 +107,26 @@ impl Grade {
         Err(format!("these need a look: {}", unclear.join(", ")))
     }
 
-    /// A folder with a handout without solutions, which is built.
-    fn prepare(&self, course: &'static [Exercise]) -> Result<GradingFolder, String> {
-        let handout = Handout {
-            without_solutions: true,
-            ..Handout::default()
-        };
-        GradingFolder::new(&handout.workbook(course)?, &self.exercises)
-    }
-
     /// Judges the files of a student, one after the other.
-    fn judge_all(
+    fn judge_exercises(
         &self,
-        submission: &Submission,
+        student: &str,
+        files: &[HandedFile],
+        course: &'static [Exercise],
         folder: &GradingFolder,
         unnamed: &mut Unnamed,
-    ) -> Result<Graded, String> {
+    ) -> Result<Vec<Judged>, String> {
+        let submission = Submission::new(files, course);
         let mut results = Vec::new();
         for e in &self.exercises {
-            let (mut file, mut about) = (String::new(), String::new());
+            let mut file = String::new();
             let outcome = match submission.find(e) {
                 Found::Nothing => Outcome::without_answers(State::NotHandedIn, ""),
                 Found::Unclear(why) => Outcome::without_answers(State::NeedsALook, &why),
-                Found::File { path, text, note } => {
-                    path.clone_into(&mut file);
-                    about = note;
+                Found::File { path, text } => {
+                    file = path;
                     let outcome = judge(folder, e, text);
-                    unnamed.add(e, &submission.name, text, &outcome.unnamed)?;
+                    unnamed.add(e, student, text, &outcome.unnamed)?;
                     outcome
                 }
             };
@@ -142,13 +135,9 @@ impl Grade {
                 name: e.name.to_owned(),
                 file,
                 pictures: Vec::new(),
-                note: about,
                 outcome,
             });
         }
-        Ok(Graded {
-            name: submission.name.clone(),
-            results,
-        })
+        Ok(results)
     }
 }

@@ -13,6 +13,8 @@ use std::process::Command;
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
+use crate::handout::Handout;
+use crate::judge::{record, record_file};
 use crate::sandbox::{End, Ended, Limits, Place, Sandbox};
 
 /// The files of a workbook by their paths.
@@ -30,7 +32,10 @@ impl GradingFolder {
     /// Writes what has changed of the workbook, and builds the stages of the exercises by the words
     /// by which students' files are built: so for each of them only the file itself is compiled
     /// within the student's limit of time. A stage that does not build is printed, and the others are graded.
-    pub fn new(workbook: &Workbook, exercises: &[&'static Exercise]) -> Result<Self, String> {
+    pub fn new(
+        course: &'static [Exercise],
+        exercises: &[&'static Exercise],
+    ) -> Result<Self, String> {
         let folder = files::workspace().join("target/grading");
         let folder = Self {
             sandbox: Sandbox { folder },
@@ -41,7 +46,7 @@ impl GradingFolder {
             fs::create_dir_all(folder).map_err(with_path(folder))?;
         }
         let lock = folder.lock()?;
-        update(&root, workbook).map_err(with_path(&root))?;
+        update(&root, &workbook_to_grade(course)?).map_err(with_path(&root))?;
         // Cargo forgets the packages that the handout does not need.
         let mut cargo = Command::new("cargo");
         cargo.args(["update", "--workspace", "--offline", "--quiet"]);
@@ -100,6 +105,20 @@ impl GradingFolder {
         fs::remove_file(&file).map_err(with_path(&file))?;
         built
     }
+}
+
+/// A workbook in which nothing is that a student's program could print: no solution, and questions without answers.
+fn workbook_to_grade(course: &'static [Exercise]) -> Result<Workbook, String> {
+    let handout = Handout {
+        without_solutions: true,
+        ..Handout::default()
+    };
+    let mut workbook = handout.workbook(course)?;
+    for e in course {
+        let questions = record(e)?.without_answers();
+        workbook.insert(record_file(e), questions.to_string().into());
+    }
+    Ok(workbook)
 }
 
 /// Writes the files that differ, and removes those that are in no workbook: of others Cargo sees by

@@ -1,4 +1,4 @@
-//! `files_in`: all files in a folder or zip file, also those in zip files within.
+//! `files_in`: all files that a student has handed in, in a folder or zip file, also those in zip files within.
 //!
 //! Nothing is written, and no link is followed: so names such as `../../file` do no harm.
 
@@ -11,15 +11,20 @@ use common::text;
 use zip::ZipArchive;
 use zip::result::ZipError;
 
+use crate::own_program::{MANIFEST, SHEETS};
+
 /// The most bytes of a student's file.
 const MOST: u64 = 64 * 1024;
 
-/// The most bytes of a zip file within another one, and of all such in an argument.
+/// The most bytes of a zip file within another one, and of all such and of all files that are read.
 const MOST_WITHIN: u64 = 64 * 1024 * 1024;
-const MOST_OF_ALL: u64 = 1024 * 1024 * 1024;
+const MOST_OF_ALL: u64 = 256 * 1024 * 1024;
 
-/// The most files in an argument.
+/// The most files of a student.
 const MOST_FILES: usize = 200_000;
+
+/// Extensions of archives, of which only zip files are opened.
+const ARCHIVES: [&str; 9] = ["7z", "bz2", "gz", "rar", "tar", "tgz", "xz", "zip", "zst"];
 
 /// Folders and files that systems and tools add.
 const ADDED: [&str; 7] = [
@@ -35,9 +40,25 @@ const ADDED: [&str; 7] = [
 /// A file in a hand-in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandedFile {
-    /// The folders and zip files around it, and its own name, which is empty for a folder.
+    /// What the student has handed in, the folders and zip files in it, and its own name.
     pub path: Vec<String>,
     pub content: Content,
+}
+
+impl HandedFile {
+    pub fn name(&self) -> &str {
+        self.path.last().map_or("", String::as_str)
+    }
+
+    /// The folders and zip files around it, below what the student has handed in.
+    pub fn folders(&self) -> &[String] {
+        self.path.get(1..self.path.len() - 1).unwrap_or_default()
+    }
+
+    /// Its path on one line.
+    pub fn shown(&self) -> String {
+        text::visible(&self.path.join("/"))
+    }
 }
 
 /// The text of a file, if it is wanted and can be read.
@@ -49,26 +70,38 @@ pub enum Content {
     Problem(String),
 }
 
-/// All files in a folder or zip file, or the file alone, in the order of their names. The first
-/// part of their paths is `path`. Only files are read whose names are wanted.
-pub fn files_in(
-    place: &Path,
-    path: &[String],
-    is_wanted: &dyn Fn(&str) -> bool,
-) -> Vec<HandedFile> {
+/// All files in a folder or zip file, or the file alone, in the order of their names. Only files are read whose
+/// names the grader knows.
+pub fn files_in(place: &Path) -> Vec<HandedFile> {
     let mut search = Search {
-        is_wanted,
         files: Vec::new(),
         most_files: MOST_FILES,
         bytes_left: MOST_OF_ALL,
     };
-    if place.is_dir() {
-        search.folder(place, path);
-    } else {
-        search.file_on_disk(place, path.to_vec());
-    }
+    let name = place.file_name().unwrap_or(place.as_os_str());
+    search.place(place, vec![name.to_string_lossy().into_owned()]);
     search.files.sort_by(|a, b| a.path.cmp(&b.path));
     search.files
+}
+
+/// Whether files of this name are read: Rust, and the two files of a program.
+fn is_wanted(name: &str) -> bool {
+    name.to_lowercase().ends_with(".rs") || [MANIFEST, SHEETS].contains(&name)
+}
+
+/// Whether a file may have the code of an exercise, perhaps under a name that a system has changed, such as
+/// `sphere.rs.txt`.
+pub fn may_be_rust(name: &str) -> bool {
+    let name = name.to_lowercase() + ".";
+    name.contains(".rs.")
+}
+
+/// Whether this is the name of an archive.
+pub fn is_archive(name: &str) -> bool {
+    let extension = Path::new(name).extension().unwrap_or_default();
+    ARCHIVES
+        .iter()
+        .any(|archive| extension.eq_ignore_ascii_case(archive))
 }
 
 /// The parts of a name in a folder or zip file, in which some tools write `\` instead of `/`.
@@ -78,23 +111,33 @@ fn parts(name: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Whether this is the name of a zip file.
-pub fn is_zip(name: &str) -> bool {
+fn is_zip(name: &str) -> bool {
     let extension = Path::new(name).extension();
     extension.is_some_and(|extension| extension.eq_ignore_ascii_case("zip"))
 }
 
 /// A search for files, and what it has found.
-struct Search<'a> {
-    is_wanted: &'a dyn Fn(&str) -> bool,
+struct Search {
     files: Vec<HandedFile>,
     most_files: usize,
-    /// How many bytes of zip files within zip files may still be read.
+    /// How many bytes of files, and of zip files within zip files, may still be read.
     bytes_left: u64,
 }
 
-impl Search<'_> {
+impl Search {
+    fn place(&mut self, place: &Path, path: Vec<String>) {
+        match fs::symlink_metadata(place).map(|place| place.file_type()) {
+            Ok(kind) if kind.is_dir() => self.folder(place, &path),
+            Ok(kind) if kind.is_file() => self.file_on_disk(place, path),
+            Ok(kind) if kind.is_symlink() => {
+                self.found(path, problem("it is a link; hand in the file itself"));
+            }
+            Ok(_) => self.found(path, problem("it is neither a file nor a folder")),
+            Err(error) => self.found(path, problem(format!("it cannot be read: {error}"))),
+        }
+    }
+
     fn folder(&mut self, folder: &Path, path: &[String]) {
-        self.found([path, &[String::new()]].concat(), Content::NotWanted);
         let entries = match fs::read_dir(folder) {
             Ok(entries) => entries,
             Err(error) => {
@@ -115,12 +158,7 @@ impl Search<'_> {
             }
             let mut inner = path.to_vec();
             inner.extend(parts(&name).map(str::to_owned));
-            let place = entry.path();
-            match entry.file_type() {
-                Ok(kind) if kind.is_dir() => self.folder(&place, &inner),
-                Ok(kind) if kind.is_file() => self.file_on_disk(&place, inner),
-                _ => self.found(inner, problem("it is a link; hand in the file itself")),
-            }
+            self.place(&entry.path(), inner);
         }
     }
 
@@ -141,7 +179,6 @@ impl Search<'_> {
             self.found(path.to_vec(), problem(why));
             return;
         };
-        self.found([path, &[String::new()]].concat(), Content::NotWanted);
         for index in 0..archive.len() {
             if self.is_full(path) {
                 return;
@@ -156,9 +193,6 @@ impl Search<'_> {
                         continue;
                     }
                     inner.extend(parts(&name).map(str::to_owned));
-                    if file.is_dir() {
-                        inner.push(String::new());
-                    }
                 }
                 Err(error) => {
                     self.found(inner, problem(in_words(&error)));
@@ -169,7 +203,7 @@ impl Search<'_> {
                 Ok(file) if file.is_symlink() => {
                     self.found(inner, problem("it is a link; hand in the file itself"));
                 }
-                Ok(file) if file.is_dir() => self.found(inner, Content::NotWanted),
+                Ok(file) if file.is_dir() => {}
                 Ok(file) if inner.last().is_some_and(|name| is_zip(name)) => {
                     if is_within {
                         let why = "it is a zip file in two others; unpack one";
@@ -213,12 +247,32 @@ impl Search<'_> {
 
     fn file(&mut self, file: impl Read, path: Vec<String>) {
         let name = path.last().map_or("", String::as_str);
-        let content = if (self.is_wanted)(name) {
-            text_in(file)
+        let content = if is_archive(name) {
+            problem("it is another archive than a zip file")
+        } else if is_wanted(name) {
+            self.text_in(file)
         } else {
             Content::NotWanted
         };
         self.found(path, content);
+    }
+
+    /// The text of a file of a student.
+    fn text_in(&mut self, file: impl Read) -> Content {
+        let mut bytes = Vec::new();
+        let most = MOST.min(self.bytes_left);
+        if file.take(most + 1).read_to_end(&mut bytes).is_err() {
+            return problem("it is damaged");
+        }
+        let count = bytes.len() as u64;
+        self.bytes_left = self.bytes_left.saturating_sub(count);
+        match count {
+            0..=MOST if count <= most => {
+                text::from_file(bytes).map_or_else(Content::Problem, Content::Text)
+            }
+            0..=MOST => problem("with it there is more text than 256 MiB"),
+            _ => problem("it is larger than 64 KiB"),
+        }
     }
 
     fn found(&mut self, path: Vec<String>, content: Content) {
@@ -231,20 +285,8 @@ fn problem(why: impl Into<String>) -> Content {
 }
 
 /// Whether a system or a tool has added this file or folder.
-fn is_added(name: &str) -> bool {
+pub fn is_added(name: &str) -> bool {
     ADDED.contains(&name) || name.starts_with("._")
-}
-
-/// The text of a file of a student.
-fn text_in(file: impl Read) -> Content {
-    let mut bytes = Vec::new();
-    if file.take(MOST + 1).read_to_end(&mut bytes).is_err() {
-        return problem("it is damaged");
-    }
-    if bytes.len() as u64 > MOST {
-        return problem("it is larger than 64 KiB");
-    }
-    text::from_file(bytes).map_or_else(Content::Problem, Content::Text)
 }
 
 /// Why a file in a zip file cannot be read.
@@ -269,7 +311,6 @@ mod tests {
             fs::write(folder.path().join(name), "").unwrap();
         }
         let mut search = Search {
-            is_wanted: &|_| false,
             files: Vec::new(),
             most_files: 3,
             bytes_left: 0,
@@ -279,6 +320,6 @@ mod tests {
         assert_eq!(last.path, ["Ada"]);
         let why = "with it there are more than 3 files";
         assert_eq!(last.content, Content::Problem(why.to_owned()));
-        assert_eq!(search.files.len(), 4, "the folder and three files");
+        assert_eq!(search.files.len(), 4);
     }
 }

@@ -1,6 +1,8 @@
-//! `handout`: whole folders of the workbook up to a stage, on request without solutions: checks
-//! need no more than the recorded answers.
+//! `handout`: the workbook up to a stage, as far as its exercises need it: the packages that they are built of, without
+//! tests and benchmarks, and the pages of its stages. On request without solutions: checks need no more than the
+//! recorded answers.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
@@ -10,36 +12,40 @@ use learn::files::{self, with_path};
 
 use crate::exercises;
 use crate::grading_folder::{Workbook, output_of};
+use crate::packages::Packages;
 
 /// The page for students, with `{stage}` instead of the last stage.
 const README: &str = include_str!("../handout/README.md");
 
-/// The files and folders that are handed out.
-const PARTS: [&str; 15] = [
-    ".cargo",
+/// The files that are handed out and belong to no package.
+const ROOT: [&str; 6] = [
+    ".cargo/config.toml",
     ".gitignore",
     "Cargo.lock",
     "Cargo.toml",
     "LICENSE",
     "clippy.toml",
-    "common",
-    "book/src",
-    "a0*",
-    // They need all stages, or other libraries, or are for lecturers.
-    ":(exclude)common/course",
-    ":(exclude)common/fuzz",
-    ":(exclude)common/corpus/adapters",
-    ":(exclude)a0*/exercises/others/*",
-    ":(exclude)common/sheet/answers",
-    ":(exclude)common/sheet/facts",
 ];
 
-/// What a handout lacks that ends before the last stage.
-const PART_TWO: [&str; 3] = [
-    ":(exclude)common/sheet/sheets",
-    ":(exclude)book/src/part-two.md",
-    ":(exclude)book/src/*sheet-*",
+/// The folders of a package that no exercise is built of.
+const NOT_BUILT: [&str; 7] = [
+    "adapters/",
+    "benches/",
+    "examples/",
+    "exercises/others/",
+    "facts/",
+    "results/",
+    "tests/",
 ];
+
+/// The checks of the exercises, which are tests.
+const CHECKS: &str = "tests/exercises/";
+
+/// The pages of the book, and their pictures.
+const BOOK: &str = "book/src/";
+
+/// The open sheets, which follow the last stage.
+const SHEETS: &str = "common/sheet/sheets/";
 
 /// Writes a workbook for students
 #[derive(clap::Args, Default)]
@@ -77,29 +83,46 @@ impl Handout {
         output_of(cargo.current_dir(folder))?;
         let count = exercises(course, self.until.as_ref())?.len();
         Ok(format!(
-            "{shown}: {count} exercises; test it: cargo test --workspace"
+            "{shown}: {count} exercises; test it: cargo test --workspace --test exercises"
         ))
     }
 
     /// The files of the workbook.
     pub fn workbook(&self, course: &'static [Exercise]) -> Result<Workbook, String> {
         let chosen = exercises(course, self.until.as_ref())?;
+        let packages = Packages::read(course)?;
+        let needed = packages.built_of(chosen.iter().map(|e| e.stage).chain(["learn"]));
+        let paths = paths()?;
+        let pages = pages(&paths, &course[chosen.len()..])?;
         let mut workbook = Workbook::new();
-        for path in paths(&course[chosen.len()..])? {
-            let file = files::workspace().join(&path);
-            let bytes = fs::read(&file).map_err(with_path(&file))?;
-            workbook.insert(path, bytes);
+        for path in &paths {
+            let is_built = match packages.of_file(path) {
+                _ if path.starts_with(BOOK) => pages.contains(&**path),
+                _ if path.starts_with(SHEETS) => chosen.len() == course.len(),
+                Some((package, inner)) => needed.contains(package) && is_built(inner),
+                None => ROOT.contains(&&**path),
+            };
+            if is_built {
+                let file = files::workspace().join(path);
+                let bytes = fs::read(&file).map_err(with_path(&file))?;
+                workbook.insert(path.clone(), bytes);
+            }
         }
         if self.without_solutions {
             withhold_solutions(&mut workbook, chosen)?;
         }
-        let manifest = workbook.remove("Cargo.toml").unwrap_or_default();
-        let manifest = String::from_utf8_lossy(&manifest);
-        let manifest = members_in(&manifest, &workbook);
-        workbook.insert("Cargo.toml".to_owned(), manifest.into());
-        let config = workbook.remove(".cargo/config.toml").unwrap_or_default();
-        let config = students_aliases(&String::from_utf8_lossy(&config));
-        workbook.insert(".cargo/config.toml".to_owned(), config.into());
+        let absent = packages
+            .folders()
+            .filter(|(name, _)| !needed.contains(name));
+        let absent: Vec<_> = absent.collect();
+        for (path, bytes) in &mut workbook {
+            if path.ends_with("Cargo.toml") {
+                *bytes = without_packages(&String::from_utf8_lossy(bytes), &absent).into();
+            }
+        }
+        if let Some(config) = workbook.get_mut(".cargo/config.toml") {
+            *config = students_aliases(&String::from_utf8_lossy(config)).into();
+        }
         let last = chosen.last().map_or("", |e| e.stage);
         let readme = README.replace("{stage}", last);
         workbook.insert("README.md".to_owned(), readme.into());
@@ -107,9 +130,8 @@ impl Handout {
     }
 }
 
-/// The paths of the files that are handed out, without those of the stages above: the numbers of
-/// stages are in the paths of their files, pages and pictures.
-fn paths(above: &[Exercise]) -> Result<Vec<String>, String> {
+/// The paths of all files that Git does not ignore.
+fn paths() -> Result<Vec<String>, String> {
     let mut git = Command::new("git");
     git.args([
         "ls-files",
@@ -118,16 +140,43 @@ fn paths(above: &[Exercise]) -> Result<Vec<String>, String> {
         "--others",
         "--exclude-standard",
     ]);
-    git.args(PARTS);
-    if !above.is_empty() {
-        git.args(PART_TWO);
-    }
-    for e in above {
-        git.arg(format!(":(exclude)*{}-*", &e.stage[..3]));
-    }
     let paths = output_of(git.current_dir(files::workspace()))?;
     let paths = String::from_utf8_lossy(&paths);
     Ok(paths.split_terminator('\0').map(str::to_owned).collect())
+}
+
+/// Whether exercises are built of a file of a package.
+fn is_built(path: &str) -> bool {
+    path.starts_with(CHECKS) || !NOT_BUILT.iter().any(|folder| path.starts_with(folder))
+}
+
+/// The pages of the stages that are handed out, of the open sheets behind the last one, the glossary, and the
+/// pictures of these pages and of scenes, which checks compare. Names of pages and pictures begin with that of the stage.
+fn pages<'a>(paths: &'a [String], above: &[Exercise]) -> Result<BTreeSet<&'a str>, String> {
+    let is_handed_out = |name: &str| match name.split_once('-') {
+        Some((stage, _)) if stage.starts_with("a0") => {
+            !above.iter().any(|e| e.stage.starts_with(stage))
+        }
+        _ if name == "part-two.md" || name.starts_with("sheet-") => above.is_empty(),
+        _ => name == "glossary.md",
+    };
+    let mut pages = BTreeSet::new();
+    let mut text = String::new();
+    for path in paths {
+        let name = path.strip_prefix(BOOK).unwrap_or_default();
+        if !name.contains('/') && is_handed_out(name) {
+            pages.insert(&**path);
+            text += &files::read(path)?;
+        }
+    }
+    for path in paths {
+        let name = path.strip_prefix(BOOK).unwrap_or_default();
+        let is_scene = name.strip_prefix("pictures/").is_some_and(is_handed_out);
+        if name.contains('/') && (is_scene || text.contains(name)) {
+            pages.insert(&**path);
+        }
+    }
+    Ok(pages)
 }
 
 /// Replaces solutions that are no lessons by their starters, which are not proved.
@@ -139,19 +188,19 @@ fn withhold_solutions(workbook: &mut Workbook, chosen: &[Exercise]) -> Result<()
     Ok(())
 }
 
-/// The manifest of the workspace without the members and the profiles of stages that are not
-/// handed out.
-fn members_in(manifest: &str, workbook: &Workbook) -> String {
+/// A manifest without benchmarks and without the lines about packages that are not handed out: as members, as libraries
+/// of tests, and in profiles.
+fn without_packages(manifest: &str, absent: &[(&str, &str)]) -> String {
     let mut text = String::new();
+    let mut is_of_bench = false;
     for line in manifest.lines() {
-        let folder = match line.split(['"', '.']).collect::<Vec<_>>()[..] {
-            ["    ", member, ","] => format!("{member}/Cargo.toml"),
-            [package, level] if package.starts_with("a0") && level.starts_with("opt-level") => {
-                package[..3].to_owned()
-            }
-            _ => String::new(),
-        };
-        if workbook.keys().any(|path| path.starts_with(&folder)) {
+        if line.starts_with('[') {
+            is_of_bench = line == "[[bench]]";
+        }
+        let first = line.split([' ', '.']).next();
+        let member = line.trim().trim_end_matches(',').trim_matches('"');
+        let is_absent = |(name, folder): &(&str, &str)| first == Some(*name) || member == *folder;
+        if !is_of_bench && !absent.iter().any(is_absent) {
             text += line;
             text += "\n";
         }

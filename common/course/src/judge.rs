@@ -1,17 +1,16 @@
 //! `judge`: compiles a student's file, runs its program, and compares its answers.
 //!
 //! The program prints its answers. The grader compares them with the recorded ones of its own
-//! workbook: so an exit code is no verdict.
+//! workbook, which the program cannot read: so an exit code is no verdict.
 
 use std::ffi::OsStr;
 
 use exercise::{Record, StudentAnswer, Verdict, read_answers, verdict};
 use learn::exercise::Exercise;
-use learn::files;
+use learn::{files, refusal};
 
 use crate::grading_folder::GradingFolder;
 use crate::outcome::{Outcome, State};
-use crate::refusal::refusal;
 use crate::sandbox::{End, Ended, Limits, Place};
 
 /// Judges the text of a student's file. Faults of the grader end no grading: the file needs a look.
@@ -30,23 +29,27 @@ fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Ou
     };
     let message = folder.sandbox.words(&ended, "not yet");
     let record = record(e)?;
-    let answers = read_answers(&ended.output);
-    let found = verdict(&record, &answers);
-    match ended.end {
-        End::Success if found.wrong.is_empty() => Ok(Outcome::right()),
-        End::Success => {
-            let wrong = found.wrong.join("\n");
-            let message = format!("the program reports success, but its answers say: {wrong}");
-            Ok(wrong_answers(message, found, answers))
-        }
-        End::Failure if !answers.is_empty() => Ok(wrong_answers(message, found, answers)),
-        _ => Ok(Outcome::without_answers(State::Wrong, &message)),
+    let (answers, painted) = read_answers(&ended.output);
+    let mut found = verdict(&record, &answers);
+    if let Some(painted) = &painted {
+        found.add_picture(painted);
     }
+    let has_ended = ended.end == End::Success || (ended.end == End::Failure && !answers.is_empty());
+    if !has_ended {
+        return Ok(Outcome::without_answers(State::Wrong, &message));
+    }
+    if ended.end == End::Success && found.wrong.is_empty() {
+        return Ok(Outcome::right());
+    }
+    let words = [&[message][..], &found.wrong, found.known.as_slice()].concat();
+    let message = folder.sandbox.without_place(&words.join("\n"));
+    Ok(wrong_answers(message, found, answers))
 }
 
 /// The recorded answers of an exercise in the lecturer's workbook.
 pub fn record(e: &Exercise) -> Result<Record, String> {
-    Record::read(&files::read(&record_file(e))?)
+    let file = record_file(e);
+    Record::read(&files::read(&file)?).map_err(|error| format!("{file}: {error}"))
 }
 
 /// The file with the recorded answers, from the workbook.
@@ -99,7 +102,7 @@ pub fn run(
     sandbox.run(Limits::Check, Place::Workbook, words).map(Ok)
 }
 
-/// The outcome of a program that says it is wrong, or whose answers say so.
+/// The outcome of a program whose answers are wrong, or that says that something else is.
 fn wrong_answers(message: String, found: Verdict, answers: Vec<StudentAnswer>) -> Outcome {
     // If all answers are right, something else is wrong.
     let (compared, differ) = match found.differ {

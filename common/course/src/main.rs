@@ -1,7 +1,7 @@
 //! `cargo course`: hands a workbook out to students, and grades what comes back. No student builds
 //! it.
 
-mod file_name;
+mod collected;
 mod grade;
 mod grading_folder;
 mod hand_in;
@@ -10,12 +10,12 @@ mod judge;
 mod mistake;
 mod outcome;
 mod own_program;
+mod packages;
 mod picture_page;
-mod refusal;
 mod results;
 mod sandbox;
 mod sheet;
-mod students_file;
+mod spreadsheet;
 mod submission;
 mod unnamed;
 

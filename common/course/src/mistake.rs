@@ -10,7 +10,6 @@ use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
 
 use crate::grading_folder::GradingFolder;
-use crate::handout::Handout;
 use crate::judge::{record, record_file, run};
 use crate::sandbox::End;
 
@@ -45,13 +44,9 @@ impl Mistake {
         if let Some(row) = record.rows.iter().find(|row| !row.is_recorded()) {
             return Err(format!("the question {} has no right answer yet", row.key));
         }
-        let handout = Handout {
-            without_solutions: true,
-            ..Handout::default()
-        };
-        let folder = GradingFolder::new(&handout.workbook(course)?, &[e])?;
+        let folder = GradingFolder::new(course, &[e])?;
         let output = output(&folder, e, &students)?;
-        let given = read_answers(&output);
+        let (given, _) = read_answers(&output);
         self.check_is_unknown(&record, &given, fact)?;
 
         let mistake = exercise::Mistake::new(fact, &record.rows, &read_rows(&output));
@@ -123,13 +118,14 @@ fn output(folder: &GradingFolder, e: &'static Exercise, students: &str) -> Resul
         Ok(ended) => ended,
         Err(outcome) => return Err(text::message(&outcome.message)),
     };
-    let given = read_answers(&ended.output);
+    let (given, _) = read_answers(&ended.output);
     let panics = given.iter().find(|given| given.answer.is_none());
     match (&ended.end, panics) {
-        (End::Success, _) => Err("it is right".to_owned()),
         (End::Begun, _) => Err("a part of it is still to do".to_owned()),
-        (End::Failure, Some(given)) => Err(format!("it panics at: {}", given.question)),
-        (End::Failure, None) if !given.is_empty() => Ok(ended.output),
+        (End::Success | End::Failure, Some(given)) => {
+            Err(format!("it panics at: {}", given.question))
+        }
+        (End::Success | End::Failure, None) if !given.is_empty() => Ok(ended.output),
         _ => Err(text::message(
             &folder.sandbox.words(&ended, "it gives no answers"),
         )),

@@ -75,8 +75,6 @@ pub struct Judged {
     pub file: String,
     /// The pictures that are kept, from the folder of the results.
     pub pictures: Vec<String>,
-    /// What a lecturer has to know about the file, such as that it is late.
-    pub note: String,
     pub outcome: Outcome,
 }
 

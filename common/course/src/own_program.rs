@@ -7,21 +7,20 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use common::text;
 use learn::files::with_path;
 
-use crate::file_name::split_time;
 use crate::grading_folder::{GradingFolder, output_of};
-use crate::hand_in::{Content, HandedFile, files_in, is_zip};
+use crate::hand_in::{Content, HandedFile};
 use crate::sandbox::{End, Ended, Limits, Place};
-use crate::submission::root;
-use manifest::{MANIFEST, manifest};
+pub use manifest::MANIFEST;
+use manifest::manifest;
 
-const SHEETS: &str = "sheet.txt";
+/// The file that names the open sheets of a program.
+pub const SHEETS: &str = "sheet.txt";
 
 /// A program that does nothing.
 const EMPTY: &str = "fn main() {}\n";
@@ -29,8 +28,7 @@ const EMPTY: &str = "fn main() {}\n";
 /// A student's own program.
 #[derive(Debug, Default)]
 pub struct OwnProgram {
-    pub student: String,
-    /// Its folder below the place that was handed in.
+    /// Its folder, from what the student has handed in.
     pub folder: String,
     /// The names in `sheet.txt`.
     pub sheets: Vec<String>,
@@ -41,49 +39,28 @@ pub struct OwnProgram {
     pub problem: Option<String>,
 }
 
-/// The programs in folders and zip files.
-pub fn find(places: &[PathBuf]) -> io::Result<Vec<OwnProgram>> {
-    let is_wanted = |name: &str| [MANIFEST, SHEETS].contains(&name) || is_rust(name);
-    let mut programs = Vec::new();
-    for place in places {
-        let root = root(place)?;
-        let files = files_in(place, &root, &is_wanted);
-        let folders = folders(&files);
-        // Students are told apart where the paths of their programs begin to differ; one alone is named by the
-        // zip file, or by the first folder.
-        let first = folders.first().cloned().unwrap_or_default();
-        let is_common = |count: &usize| {
-            folders
-                .iter()
-                .all(|folder| folder.starts_with(&first[..*count]))
-        };
-        let common = (0..=first.len()).rev().find(is_common).unwrap_or_default();
-        let level = match folders.len() {
-            1 if root.last().is_some_and(|name| is_zip(name)) => root.len() - 1,
-            1 => root.len(),
-            _ => common,
-        };
-        for folder in &folders {
-            let student = folder
-                .get(level)
-                .or(folder.last())
-                .cloned()
-                .unwrap_or_default();
-            let (student, _) = split_time(&student.replace(".zip", ""));
-            let mut program = OwnProgram::new(&files, folder);
-            program.student = text::visible(&student);
-            program.folder = text::visible(&folder[root.len()..].join("/"));
-            programs.push(program);
-        }
+/// The programs in a hand-in; if there is none because it cannot be read, one that says so.
+pub fn find(files: &[HandedFile]) -> Vec<OwnProgram> {
+    let folders = folders(files);
+    if !folders.is_empty() {
+        return folders
+            .iter()
+            .map(|folder| OwnProgram::new(files, folder))
+            .collect();
     }
-    programs.sort_by(|a, b| a.student.cmp(&b.student));
-    Ok(programs)
-}
-
-fn is_rust(name: &str) -> bool {
-    Path::new(name)
-        .extension()
-        .is_some_and(|extension| extension == "rs")
+    let unread = files.iter().find_map(|file| match &file.content {
+        Content::Problem(problem) => Some((file.shown(), problem.clone())),
+        _ => None,
+    });
+    let empty = files
+        .is_empty()
+        .then(|| (String::new(), "it is empty".to_owned()));
+    let program = unread.or(empty).map(|(folder, problem)| OwnProgram {
+        folder,
+        problem: Some(problem),
+        ..OwnProgram::default()
+    });
+    program.into_iter().collect()
 }
 
 /// The folders of programs, without those within another one.
@@ -110,7 +87,10 @@ fn folders(files: &[HandedFile]) -> Vec<Vec<String>> {
 
 impl OwnProgram {
     fn new(files: &[HandedFile], folder: &[String]) -> Self {
-        let mut program = Self::default();
+        let mut program = Self {
+            folder: text::visible(&folder.join("/")),
+            ..Self::default()
+        };
         let mut problems = Vec::new();
         for file in files {
             let Some(inner) = file.path.strip_prefix(folder) else {

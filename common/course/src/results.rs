@@ -1,4 +1,4 @@
-//! The results: a table of all students for a spreadsheet, and a text for each student.
+//! The results: a table of all students, for people and for programs, and a text for each student.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -9,12 +9,13 @@ use learn::files::with_path;
 
 use crate::outcome::{Graded, Judged, State};
 use crate::picture_page::page;
+use crate::spreadsheet::spreadsheet;
 
 /// The most characters of a message.
 const MESSAGE: usize = 2000;
 
 /// The columns of the table.
-const COLUMNS: [&str; 9] = [
+const COLUMNS: [&str; 8] = [
     "student",
     "stage",
     "exercise",
@@ -22,20 +23,25 @@ const COLUMNS: [&str; 9] = [
     "right_answers",
     "mistake",
     "file",
-    "note",
     "message",
 ];
 
-/// Writes `results.csv` and a text for each student, under the student's name.
+/// The column of numbers.
+const RIGHT_ANSWERS: usize = 4;
+
+/// Writes the table for people and for programs, and a text for each student, under the student's name.
 pub fn write(folder: &Path, graded: &[Graded]) -> Result<(), String> {
     fs::create_dir_all(folder).map_err(with_path(folder))?;
-    let write = |name: &str, text: &str| {
+    let write = |name: &str, bytes: &[u8]| {
         let file = folder.join(name);
-        fs::write(&file, text).map_err(with_path(&file))
+        fs::write(&file, bytes).map_err(with_path(&file))
     };
-    write("results.csv", &table(graded))?;
+    let table = table(graded);
+    write("results.csv", csv(&table).as_bytes())?;
+    let sheet = spreadsheet(&table, RIGHT_ANSWERS).map_err(|error| error.to_string())?;
+    write("results.xlsx", &sheet)?;
     if let Some(page) = page(graded) {
-        write("pictures.html", &page)?;
+        write("pictures.html", page.as_bytes())?;
     }
     let mut taken = BTreeSet::new();
     for student in graded {
@@ -43,7 +49,7 @@ pub fn write(folder: &Path, graded: &[Graded]) -> Result<(), String> {
         while !taken.insert(name.to_lowercase()) {
             name.push('_');
         }
-        write(&format!("{name}.txt"), &text(student))?;
+        write(&format!("{name}.txt"), text(student).as_bytes())?;
     }
     Ok(())
 }
@@ -73,15 +79,12 @@ pub fn text(student: &Graded) -> String {
         let Judged {
             name,
             file,
-            note,
             outcome,
             ..
         } = judged;
         let _ = write!(text, "  {name}: {}", outcome.state.words());
-        for about in [file, note] {
-            if !about.is_empty() {
-                let _ = write!(text, ", {about}");
-            }
+        if !file.is_empty() {
+            let _ = write!(text, ", {file}");
         }
         text.push('\n');
         for line in message(&outcome.message).lines() {
@@ -91,9 +94,9 @@ pub fn text(student: &Graded) -> String {
     text
 }
 
-/// A row for each exercise of each student, in the form of RFC 4180.
-fn table(graded: &[Graded]) -> String {
-    let mut table = row(&COLUMNS);
+/// A row for each exercise of each student, below the names of the columns.
+fn table(graded: &[Graded]) -> Vec<[String; 8]> {
+    let mut table = vec![COLUMNS.map(str::to_owned)];
     for student in graded {
         for judged in &student.results {
             let outcome = &judged.outcome;
@@ -102,7 +105,7 @@ fn table(graded: &[Graded]) -> String {
                 // A wrong answer of a thousand is no full mark.
                 _ => ((outcome.fraction * 100.0).floor() / 100.0).to_string(),
             };
-            table += &row(&[
+            let row = [
                 &student.name,
                 judged.stage,
                 &judged.name,
@@ -110,30 +113,34 @@ fn table(graded: &[Graded]) -> String {
                 &fraction,
                 &outcome.mistake,
                 &judged.file,
-                &judged.note,
                 &outcome.message,
-            ]);
+            ];
+            table.push(row.map(message));
         }
     }
     table
 }
 
-fn row(cells: &[&str]) -> String {
-    let mut row = Vec::new();
-    for cell in cells {
-        let mut cell = message(cell);
-        // A spreadsheet computes no cell that begins with a quote.
-        if cell.starts_with(['=', '+', '-', '@']) {
-            cell.insert(0, '\'');
-        }
-        row.push(format!("\"{}\"", cell.replace('"', "\"\"")));
+/// A table in the form of RFC 4180.
+fn csv(table: &[[String; 8]]) -> String {
+    let mut csv = String::new();
+    for row in table {
+        let cells = row.each_ref().map(|cell| {
+            // A spreadsheet computes no cell that begins with a quote.
+            let mark = ["", "'"][usize::from(cell.starts_with(['=', '+', '-', '@']))];
+            format!("\"{mark}{}\"", cell.replace('"', "\"\""))
+        });
+        csv += &cells.join(",");
+        csv += "\r\n";
     }
-    row.join(",") + "\r\n"
+    csv
 }
 
 /// The beginning of a message, without control characters.
 fn message(text: &str) -> String {
-    let shown = |c: char| if c.is_control() && c != '\n' { ' ' } else { c };
+    // The last two are in no text.
+    let is_shown = |c: char| c == '\n' || !(c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
+    let shown = |c: char| if is_shown(c) { c } else { ' ' };
     text.chars().take(MESSAGE).map(shown).collect()
 }
 
@@ -154,7 +161,6 @@ mod tests {
             name: "sphere".to_owned(),
             file: "sphere.rs".to_owned(),
             pictures: Vec::new(),
-            note: "late".to_owned(),
             outcome,
         };
         let student = |results| Graded {
@@ -163,9 +169,10 @@ mod tests {
         };
         let graded = [student(vec![judged]), student(Vec::new())];
         let row = "\"../Ada\",\"a04-intersections\",\"sphere\",\"wrong\",\"0.99\",\"'=1+1\",\
-                   \"sphere.rs\",\"late\",\"a \"\"b\"\"\nc \"\r\n";
-        assert!(table(&graded).ends_with(row), "{}", table(&graded));
-        let text = "../Ada: 1 wrong\n  sphere: wrong, sphere.rs, late\n      a \"b\"\n      c \n";
+                   \"sphere.rs\",\"a \"\"b\"\"\nc \"\r\n";
+        let csv = csv(&table(&graded));
+        assert!(csv.ends_with(row), "{csv}");
+        let text = "../Ada: 1 wrong\n  sphere: wrong, sphere.rs\n      a \"b\"\n      c \n";
         assert_eq!(super::text(&graded[0]), text);
 
         let folder = tempfile::tempdir().unwrap();
@@ -175,6 +182,9 @@ mod tests {
             names.push(entry.unwrap().file_name().into_string().unwrap());
         }
         names.sort();
-        assert_eq!(names, ["_Ada.txt", "_Ada_.txt", "results.csv"]);
+        assert_eq!(
+            names,
+            ["_Ada.txt", "_Ada_.txt", "results.csv", "results.xlsx"]
+        );
     }
 }

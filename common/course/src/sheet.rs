@@ -10,7 +10,7 @@ use learn::files::with_path;
 use learn::sheet::{find, read_all};
 
 use crate::grading_folder::GradingFolder;
-use crate::outcome::{Graded, Judged, Outcome, State};
+use crate::outcome::{Judged, Outcome, State};
 use crate::own_program::OwnProgram;
 use crate::results::file_name;
 use crate::sandbox::{End, Limits, Place, Sandbox};
@@ -27,27 +27,24 @@ pub fn chosen(names: &[String]) -> Result<Vec<Sheet>, String> {
 
 /// Judges the programs of a student. Their pictures are kept in the folder of the results.
 pub fn judge_all(
+    student: &str,
     programs: &[OwnProgram],
     sheets: &[Sheet],
     folder: &GradingFolder,
     output: Option<&Path>,
-) -> Graded {
-    let name = programs.first().map_or("", |program| &program.student);
+) -> Vec<Judged> {
     let mut results = Vec::new();
     for sheet in sheets {
         let kept = match output {
             Some(output) => output
                 .join("pictures")
-                .join(file_name(name))
+                .join(file_name(student))
                 .join(&sheet.name),
             None => folder.sandbox.folder.join("kept"),
         };
         results.push(judge_sheet(programs, sheet, folder, &kept, output));
     }
-    Graded {
-        name: name.to_owned(),
-        results,
-    }
+    results
 }
 
 /// Judges the program that a student has handed in for a sheet.
@@ -63,7 +60,6 @@ fn judge_sheet(
         name: sheet.name.clone(),
         file: String::new(),
         pictures: Vec::new(),
-        note: String::new(),
         outcome: Outcome::without_answers(State::NotHandedIn, ""),
     };
     let is_for =
@@ -84,7 +80,7 @@ fn judge_sheet(
         ))
     } else {
         judge_program(program, sheet, folder, kept).unwrap_or_else(|fault| {
-            eprintln!("{}: {fault}", program.student);
+            eprintln!("{}: {fault}", program.folder);
             needs_a_look(&folder.sandbox.without_place(&fault))
         })
     };

@@ -30,4 +30,4 @@ pub use record::Record;
 pub use row::{Row, Tolerance};
 pub use student_output::{CORPUS, MARK, MARKED, PRINTED, ROWS, WORDS_MARK};
 pub use student_output::{print_answers, read_answers, read_rows};
-pub use verdict::{StudentAnswer, Verdict, verdict};
+pub use verdict::{Painted, StudentAnswer, Verdict, verdict};

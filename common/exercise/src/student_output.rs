@@ -1,6 +1,6 @@
 //! The output of the program of a check: its words to a student, and the answers to a grader.
 
-use crate::{Record, Row, StudentAnswer, text};
+use crate::{Painted, Record, Row, StudentAnswer, text};
 
 /// Sets the answers apart from what a program prints besides, which is before it.
 pub const MARK: char = '\u{1c}';
@@ -19,12 +19,17 @@ pub const ROWS: &str = "rows";
 /// With this variable, the program of a shape's exercise asks it the rays of the corpus, and nothing else.
 pub const CORPUS: &str = "EXERCISE_CORPUS";
 
+/// The line before the words about a picture.
+const RIGHT_PICTURE: &str = "the picture is right";
+const WRONG_PICTURE: &str = "the picture is wrong";
+
 /// Begins a line of a check.
 pub const WORDS_MARK: char = '\u{1e}';
 
-/// The mark, and two lines for each question: its words and the answer.
+/// The mark, two lines for each question, its words and the answer, and those of the picture. Whether the answers are
+/// right is not known to the program.
 #[must_use]
-pub fn print_answers(answers: &[StudentAnswer]) -> String {
+pub fn print_answers(answers: &[StudentAnswer], painted: Option<&Painted>) -> String {
     let mut printed = MARK.to_string();
     for StudentAnswer { question, answer } in answers {
         let answer = match answer {
@@ -33,22 +38,34 @@ pub fn print_answers(answers: &[StudentAnswer]) -> String {
         };
         printed.extend(["? ", question, "\n", &answer, "\n"]);
     }
+    if let Some(painted) = painted {
+        let heading = [WRONG_PICTURE, RIGHT_PICTURE][usize::from(painted.is_right)];
+        printed.extend([heading, "\n", &painted.words]);
+    }
     printed
 }
 
-/// The answers in the output of a program. A line that no program has written so ends them.
+/// The answers in the output of a program, and its picture. A line that no program has written so ends them.
 #[must_use]
-pub fn read_answers(output: &str) -> Vec<StudentAnswer> {
-    let (_, text) = output.split_once(MARK).unwrap_or_default();
+pub fn read_answers(output: &str) -> (Vec<StudentAnswer>, Option<Painted>) {
+    let text = output.split(MARK).nth(1).unwrap_or_default();
     let mut answers = Vec::new();
     let mut lines = text.lines();
-    while let (Some(question), Some(answer)) = (lines.next(), lines.next()) {
-        let Some(given) = read_answer(question, answer) else {
+    while let Some(first) = lines.next() {
+        if [WRONG_PICTURE, RIGHT_PICTURE].contains(&first) {
+            let painted = Painted {
+                is_right: first == RIGHT_PICTURE,
+                words: lines.collect::<Vec<_>>().join("\n"),
+            };
+            return (answers, Some(painted));
+        }
+        let given = lines.next().and_then(|answer| read_answer(first, answer));
+        let Some(given) = given else {
             break;
         };
         answers.push(given);
     }
-    answers
+    (answers, None)
 }
 
 /// The record of its answers in the output of a program.
@@ -79,8 +96,17 @@ mod tests {
             question: "at 1".to_owned(),
             answer,
         });
-        let output = format!("a word of the student\n{}", print_answers(&answers));
-        assert_eq!(read_answers(&output), answers);
-        assert_eq!(read_answers("exit 0"), []);
+        for is_right in [true, false] {
+            let painted = Painted {
+                is_right,
+                words: "two\nlines".to_owned(),
+            };
+            let printed = print_answers(&answers, Some(&painted));
+            let output = format!("a word of the student\n{printed}");
+            assert_eq!(read_answers(&output), (answers.to_vec(), Some(painted)));
+        }
+        let printed = print_answers(&answers, None);
+        assert_eq!(read_answers(&printed), (answers.to_vec(), None));
+        assert_eq!(read_answers("exit 0"), (Vec::new(), None));
     }
 }

@@ -27,6 +27,24 @@ pub struct Verdict {
     pub differ: usize,
 }
 
+/// The comparison of the picture that a student's program paints with the right one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Painted {
+    /// Whether it has the right colours.
+    pub is_right: bool,
+    /// The comparison in words.
+    pub words: String,
+}
+
+impl Verdict {
+    /// Adds a picture. One that is right acquits no code, and is told only beside wrong answers.
+    pub fn add_picture(&mut self, painted: &Painted) {
+        if !(painted.is_right && self.wrong.is_empty()) {
+            self.wrong.push(painted.words.clone());
+        }
+    }
+}
+
 /// Compares a student's answers with the right ones.
 #[must_use]
 pub fn verdict(record: &Record, yours: &[StudentAnswer]) -> Verdict {

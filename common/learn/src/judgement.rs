@@ -15,6 +15,7 @@ use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::{limited, run};
 use crate::progress::Progress;
+use crate::refusal::refusal;
 use crate::report::Report;
 use crate::screen::Space;
 
@@ -33,6 +34,17 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         Ok(None) => return Report::new(e, "stopped"),
         Err(problem) => return Report::new(e, &problem),
     };
+    // A lecturer's grader does not judge such a file.
+    if let Some(refused) = refusal(e, &text) {
+        if !report.words.is_empty() {
+            report.words.push('\n');
+        }
+        report.words += &refused;
+        if report.is_done {
+            report.is_done = false;
+            report.verdict = Report::new(e, "not yet").verdict;
+        }
+    }
     if let Err(problem) = progress.record(e, &text, report.is_done) {
         report
             .words

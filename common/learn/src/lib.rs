@@ -18,6 +18,7 @@ mod phase;
 mod process;
 mod program;
 mod progress;
+mod refusal;
 mod report;
 mod screen;
 pub mod sheet;
@@ -40,6 +41,7 @@ pub use judgement::lacks;
 use judgement::{ask_corpus, judge};
 use phase::Phase;
 use progress::Progress;
+pub use refusal::refusal;
 use screen::Screen;
 
 /// The exercises whose code the corpus of ray failures asks.

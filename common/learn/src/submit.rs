@@ -1,12 +1,15 @@
 //! `submit`: packs the student's files into one zip file.
 
-use std::fs::{self, File};
-use std::io::{self, Cursor, Write};
+use std::fs;
+use std::io::Write;
 use std::path::Path;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use common::text;
-use zip::write::SimpleFileOptions;
-use zip::{ZipArchive, ZipWriter};
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
+use rawzip::time::UtcDateTime;
+use rawzip::{CompressionMethod, ZipArchive, ZipArchiveWriter};
 
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
@@ -50,19 +53,19 @@ impl Submit {
 
 /// Whether a file may be written anew: it is missing, or has nothing but exercises, as an earlier one has.
 fn is_replaced(path: &Path) -> bool {
-    let Ok(file) = File::open(path) else {
+    let Ok(bytes) = fs::read(path) else {
         return !path.exists();
     };
-    ZipArchive::new(file).is_ok_and(|zip| {
-        zip.file_names()
-            .flatten()
-            .all(|name| name.contains("/exercises/"))
+    let is_exercise = |name: &[u8]| String::from_utf8_lossy(name).contains("/exercises/");
+    ZipArchive::from_slice(&bytes).is_ok_and(|zip| {
+        zip.entries()
+            .all(|entry| entry.is_ok_and(|entry| is_exercise(entry.file_path().as_ref())))
     })
 }
 
 /// The bytes of the zip file.
 fn pack(begun: &[&Exercise]) -> Result<Vec<u8>, String> {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let mut zip = ZipArchiveWriter::new(Vec::new());
     for e in begun {
         let yours = files::yours(e);
         if yours.is_symlink() {
@@ -71,11 +74,23 @@ fn pack(begun: &[&Exercise]) -> Result<Vec<u8>, String> {
         }
         let name = format!("{}/exercises/{}.rs", e.stage, e.name);
         let text = files::text_of(&yours)?;
-        let with_name = |error: io::Error| format!("{name}: {error}");
-        let started = zip.start_file(&*name, SimpleFileOptions::default());
-        started.map_err(|error| with_name(error.into()))?;
-        zip.write_all(text.as_bytes()).map_err(with_name)?;
+        add(&mut zip, &name, text.as_bytes()).map_err(|error| format!("{name}: {error}"))?;
     }
-    let zip = zip.finish().map_err(|error| error.to_string())?;
-    Ok(zip.into_inner())
+    zip.finish().map_err(|error| error.to_string())
+}
+
+/// Adds a file.
+fn add(zip: &mut ZipArchiveWriter<Vec<u8>>, name: &str, bytes: &[u8]) -> Result<(), rawzip::Error> {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    let now = UtcDateTime::from_unix(now.map_or(0, |now| now.as_secs() as i64));
+    let file = zip.new_file(name).last_modified(now);
+    let (mut entry, config) = file
+        .compression_method(CompressionMethod::DEFLATE)
+        .start()?;
+    let mut file = config.wrap(DeflateEncoder::new(&mut entry, Compression::default()));
+    file.write_all(bytes)?;
+    let (encoder, descriptor) = file.finish()?;
+    encoder.finish()?;
+    entry.finish(descriptor)?;
+    Ok(())
 }

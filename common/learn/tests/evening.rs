@@ -34,6 +34,8 @@ const FILES: &[(&str, &str)] = &[
     // Clears a terminal, and colours it.
     ("control", r#"print!("\u{1b}[2J\u{1b}[31m"); 1"#),
     ("chatty", "println!(\"a word\"); 0"),
+    // Right, and refused for a word.
+    ("linked", "extern crate std as other; 0"),
     (
         "many",
         "for i in 1..=9000 { println!(\"line {i}\") } eprintln!(\"last\"); 1",
@@ -74,6 +76,7 @@ const STEPS: &[(&str, &str)] = &[
     ("angle", "broken>: does not compile|n>exercises/reflected.rs"),
     ("reflected", "right>: done|broken>: does not compile|right>: done|>exercises/angle.rs"),
     ("angle", "chatty>a word|look>: done|>exercises/ppm.rs"),
+    ("ppm", "linked>refused: it contains `extern`|look>: not yet|look>further: 0 of 6"),
     ("ppm", "many>line 50|look>… 8951 more lines|look>: not yet"),
     ("ppm", "control>\\u{1b}[2J\\u{1b}[31m|panic>: not yet|n>exercises/srgb.rs"),
     ("srgb", "delete>srgb.rs is deleted|>to do|n>exercises/line.rs"),

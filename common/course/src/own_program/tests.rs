@@ -1,24 +1,27 @@
 //! Programs as students hand them in.
 
 use super::*;
+use crate::hand_in::files_in;
 
 const MANIFEST_OF_ADA: &str = "[package]\nname = \"ada\"\nedition = \"2021\"\nbuild = \"evil.rs\"\n\
     [dependencies]\nlibm = \"0.2.1\"\ncommon = { path = \"/home/ada/common\" }\n\
     rand = { version = \"0.9\", default-features = false, features = [\"std\"] }\n";
 
-/// The programs in a folder: students, folders, sheets and problems.
+/// The programs of a student: folders, sheets and problems.
 fn found(files: &[(&str, &str)]) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
+    let ada = folder.path().join("ada");
+    fs::create_dir(&ada).unwrap();
     for (path, text) in files {
-        let file = folder.path().join("class").join(path);
+        let file = ada.join(path);
         fs::create_dir_all(file.parent().unwrap()).unwrap();
         fs::write(file, text).unwrap();
     }
     let mut lines = Vec::new();
-    for program in find(&[folder.path().join("class")]).unwrap() {
+    for program in find(&files_in(&ada)) {
         let problem = program.problem.unwrap_or_default();
-        let (student, folder, sheets) = (program.student, program.folder, program.sheets);
-        lines.push(format!("{student}|{folder}|{}|{problem}", sheets.join(" ")));
+        let (folder, sheets) = (program.folder, program.sheets.join(" "));
+        lines.push(format!("{folder}|{sheets}|{problem}"));
     }
     lines
 }
@@ -26,22 +29,28 @@ fn found(files: &[(&str, &str)]) -> Vec<String> {
 #[test]
 fn programs_are_found_by_their_files() {
     let of_two = [
-        ("ada/my-tracer/Cargo.toml", MANIFEST_OF_ADA),
-        ("ada/my-tracer/sheet.txt", "glass\nlens\n"),
-        ("ada/my-tracer/src/main.rs", EMPTY),
-        ("ada/my-tracer/own-library/Cargo.toml", MANIFEST_OF_ADA),
-        ("Bob 2026-11-04 09-01/Cargo.toml", MANIFEST_OF_ADA),
+        ("my-tracer/Cargo.toml", MANIFEST_OF_ADA),
+        ("my-tracer/sheet.txt", "glass\nlens\n"),
+        ("my-tracer/src/main.rs", EMPTY),
+        ("my-tracer/own-library/Cargo.toml", MANIFEST_OF_ADA),
+        ("other/Cargo.toml", MANIFEST_OF_ADA),
     ];
     assert_eq!(
         found(&of_two),
         [
-            "Bob|Bob 2026-11-04 09-01||it has no sheet.txt, which names the sheet",
-            "ada|ada/my-tracer|glass lens|",
+            "ada/my-tracer|glass lens|",
+            "ada/other||it has no sheet.txt, which names the sheet",
         ]
     );
-    assert_eq!(found(&of_two[..3]), ["ada|ada/my-tracer|glass lens|"]);
     let here = [("sheet.txt", "glass")];
-    assert_eq!(found(&here), ["class||glass|it has no Cargo.toml"]);
+    assert_eq!(found(&here), ["ada|glass|it has no Cargo.toml"]);
+    let broken = [("ada.zip", "text")];
+    assert_eq!(
+        found(&broken),
+        ["ada/ada.zip||it is no zip file, or a damaged one"]
+    );
+    assert_eq!(found(&[]), ["||it is empty"]);
+    assert_eq!(found(&[("report.pdf", "pdf")]), [""; 0]);
 }
 
 #[test]

@@ -1,12 +1,15 @@
-//! Hand-ins as students and learning platforms make them, built here by their structure.
+//! Hand-ins as students make them, built here by their structure.
 
 use std::io::{Cursor, Write};
+use std::path::Path;
 
+use learn::files::workspace;
 use tempfile::TempDir;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::*;
+use crate::collected::Collected;
 
 /// A file of an exercise, and another version of it.
 const CODE: &[u8] = b"pub fn exercise() {}\n";
@@ -37,126 +40,117 @@ fn folder(files: &[(&str, &[u8])]) -> TempDir {
 }
 
 /// Who has handed in, and what is found of two exercises: the files, or why there is none.
-fn found(folder: &TempDir, places: &[&str]) -> Vec<String> {
+fn rows(folder: &Path) -> Vec<String> {
     let course = learn::exercise::read_all().unwrap();
-    let places: Vec<_> = places.iter().map(|name| folder.path().join(name)).collect();
-    let mut lines = Vec::new();
-    for submission in read(&places, course).unwrap() {
+    let collected = Collected::read(&[folder.to_owned()], course).unwrap();
+    let mut rows = Vec::new();
+    if !collected.of_nobody.is_empty() {
+        rows.push(format!("nobody: {}", collected.of_nobody.join(", ")));
+    }
+    for student in &collected.students {
+        let files = student.files();
+        let submission = Submission::new(&files, course);
         let mut words = Vec::new();
         for name in ["ray", "sphere"] {
             let e = learn::exercise::find(name).unwrap();
             words.push(match submission.find(e) {
-                Found::File { path, note, .. } if note.is_empty() => path.to_owned(),
-                Found::File { path, note, .. } => format!("{path} ({note})"),
+                Found::File { path, .. } => path,
                 Found::Nothing => "-".to_owned(),
                 Found::Unclear(why) => format!("? {why}"),
             });
         }
         words.dedup();
-        // A place that is alone is named by its whole path, here that of a temporary folder.
-        let name = submission.name.split('/').next_back().unwrap();
-        lines.push(format!("{name}: {}", words.join("; ")));
+        let name = student.name.replace(&*folder.to_string_lossy(), "…");
+        rows.push(format!("{name}: {}", words.join("; ")));
     }
-    lines
-}
-
-/// Checks who and what is found in a zip file with these files.
-fn check(files: &[(&str, &[u8])], expected: &[&str]) {
-    let folder = folder(&[("export.zip", &zip(files))]);
-    assert_eq!(found(&folder, &["export.zip"]), expected);
+    rows
 }
 
 #[test]
-fn folders_of_students_with_tables_beside_them() {
+fn each_folder_and_archive_is_a_student_and_nothing_else() {
     let submitted = zip(&[(RAY, CODE), (SPHERE, CODE), ("results.txt", b"learn")]);
-    check(
-        &[
-            ("Week 4/grades.csv", b"table"),
-            ("Week 4/Submissions/Ada_11/ada.zip", &submitted),
-            ("Week 4/Submissions/Bob_12/comments.txt", b"text"),
-            ("Week 4/Submissions/Bob_12/attachment(s)/ray (1).rs", CODE),
-            ("Week 4/Submissions/Cy_13/onlinetext.html", b"<p>pub fn</p>"),
-            ("Week 4/Submissions/Di_14/report.pdf", b"pdf"),
-            ("Week 4/Submissions/Ed_15/ed.7z", b"7z"),
-            ("Week 4/Submissions/Flo_16/", b""),
-            ("Week 4/Submissions/late/Gü_17/RAY.RS", CODE),
-            ("__MACOSX/Week 4/._ray.rs", b""),
-        ],
-        &[
-            "Ada_11: Week 4/Submissions/Ada_11/ada.zip/a03-rays-cameras/exercises/ray.rs; \
-             Week 4/Submissions/Ada_11/ada.zip/a04-intersections/exercises/sphere.rs",
-            "Bob_12: Week 4/Submissions/Bob_12/attachment(s)/ray (1).rs; -",
-            "Cy_13: ? no file has the name of an exercise; it has Week 4/Submissions/Cy_13/onlinetext.html",
-            "Di_14: ? no file has the name of an exercise; it has Week 4/Submissions/Di_14/report.pdf",
-            "Ed_15: ? no file has the name of an exercise; it has Week 4/Submissions/Ed_15/ed.7z",
-            "Flo_16: ? it is empty",
-            "Gü_17: Week 4/Submissions/late/Gü_17/RAY.RS (late); -",
-        ],
-    );
-}
-
-#[test]
-fn files_that_are_named_after_students() {
-    check(
-        &[
-            ("index.html", b"table"),
-            ("byronada_11_501_ray-1.rs", CODE),
-            ("byronada_11_502_sphere.rs", CODE),
-            ("colebob_LATE_12_503_bob.zip", &zip(&[(RAY, CODE)])),
-        ],
-        &[
-            "byronada_11: byronada_11_501_ray-1.rs; byronada_11_502_sphere.rs",
-            "colebob_LATE_12_503_bob: \
-             colebob_LATE_12_503_bob.zip/a03-rays-cameras/exercises/ray.rs (late); -",
-        ],
-    );
-}
-
-#[test]
-fn of_dated_hand_ins_the_latest_counts() {
-    check(
-        &[
-            ("112-22 - Bob Cole - 2026-11-05 09-01/sphere.rs", OTHER),
-            ("112-22 - Bob Cole - 2026-11-04 21-01/sphere.rs", CODE),
-            ("Ada/20261001123045_ray.rs", CODE),
-            ("Ada/20261003080000_ray.rs", OTHER),
-            ("Cy/ray.rs", CODE),
-            ("Cy/old/ray.rs", OTHER),
-            ("Di/ray.rs", CODE),
-            ("Di/copy/ray.rs", CODE),
-        ],
-        &[
-            "112-22 - Bob Cole: -; \
-             112-22 - Bob Cole - 2026-11-05 09-01/sphere.rs (the latest of 2)",
-            "Ada: Ada/20261003080000_ray.rs (the latest of 2); -",
-            "Cy: ? there are 2 copies: Cy/old/ray.rs, Cy/ray.rs; hand in one; -",
-            "Di: Di/copy/ray.rs; -",
-        ],
-    );
-}
-
-#[test]
-fn a_student_alone() {
-    let repository: &[(&str, &[u8])] = &[
-        ("ada/Cargo.toml", b""),
-        ("ada/a03-rays-cameras/exercises/ray.rs", CODE),
-        ("ada/a03-rays-cameras/exercises/solutions/ray.rs", OTHER),
-        ("ada/a03-rays-cameras/src/ray.rs", OTHER),
-        ("ada/a04-intersections/tests/exercises/sphere.rs", OTHER),
-        ("ada/common/src/color.rs", OTHER),
-        ("ada/target/package/ray.rs", OTHER),
-        ("bob/sphere.rs", CODE),
-        ("bob/my work/ray.rs", CODE),
-    ];
-    let folder = folder(repository);
+    let class = folder(&[
+        ("Ada Byron_11/ada.zip", &submitted),
+        ("Bob.zip", &submitted),
+        ("bob/ray.rs", CODE),
+        ("bob.tar.gz", b"gz"),
+        ("cut.zip", &submitted[..200]),
+        ("dan/week 4/RAY.RS", CODE),
+        ("dan/week 4/again/ray.rs", CODE),
+        ("dan/week 4/sphere.rs", CODE),
+        ("dan/old/sphere.rs", OTHER),
+        ("grades.csv", b"table"),
+        ("Gü/ray (1).rs", CODE),
+        ("__MACOSX/Ada/._ray.rs", b""),
+        ("sphere.rs", CODE),
+    ]);
+    std::fs::create_dir(class.path().join("Flo")).unwrap();
     assert_eq!(
-        found(&folder, &["ada"]),
-        ["ada: a03-rays-cameras/exercises/ray.rs; -"]
+        rows(class.path()),
+        [
+            "nobody: __MACOSX, grades.csv",
+            "Ada Byron_11: Ada Byron_11/ada.zip/a03-rays-cameras/exercises/ray.rs; \
+             Ada Byron_11/ada.zip/a04-intersections/exercises/sphere.rs",
+            "Bob: Bob.zip/a03-rays-cameras/exercises/ray.rs; Bob.zip/a04-intersections/exercises/sphere.rs",
+            "Flo: ? it is empty",
+            "Gü: ? no file has the name of an exercise; it has Gü/ray (1).rs",
+            "bob: bob/ray.rs; -",
+            "…/bob.tar.gz: ? no file has the name of an exercise; \
+             it has bob.tar.gz (it is another archive than a zip file)",
+            "cut: ? no file has the name of an exercise; \
+             it has cut.zip (it is no zip file, or a damaged one)",
+            "dan: dan/week 4/RAY.RS; \
+             ? there are 2 files: dan/old/sphere.rs, dan/week 4/sphere.rs; hand in one",
+            "sphere: -; sphere.rs",
+        ]
     );
-    assert_eq!(found(&folder, &["bob"]), ["bob: my work/ray.rs; sphere.rs"]);
-    assert_eq!(found(&folder, &["ada", "bob"]).len(), 2);
-    assert_eq!(found(&folder, &["."]).len(), 2);
-    assert_eq!(found(&folder, &["bob/sphere.rs"]), ["bob: -; sphere.rs"]);
+}
+
+/// Of a whole workbook only files in `exercises` of a stage are a student's.
+#[test]
+fn files_of_the_workbook_are_no_students() {
+    let course = learn::exercise::read_all().unwrap();
+    let mut files = Vec::new();
+    let mut open = vec![workspace()];
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let inner = path.strip_prefix(workspace()).unwrap();
+            let parts = inner.iter().map(|part| part.to_string_lossy().into_owned());
+            let path_of_file = [vec!["ada".to_owned()], parts.collect()].concat();
+            if path.is_dir()
+                && !path_of_file
+                    .iter()
+                    .any(|part| crate::hand_in::is_added(part))
+            {
+                open.push(path);
+            } else if path_of_file.len() > 3 && path_of_file[path_of_file.len() - 2] != "exercises"
+            {
+                let content = Content::NotWanted;
+                files.push(HandedFile {
+                    path: path_of_file,
+                    content,
+                });
+            }
+        }
+    }
+    assert!(files.len() > 1000, "{}", files.len());
+    files.retain(|file| may_be_rust(file.name()));
+    let submission = Submission::new(&files, course);
+    let left = submission.files.iter().map(|file| file.shown());
+    let left = left.filter(|path| !path.contains("/fuzz/") && !path.contains("/.ci/"));
+    assert_eq!(left.collect::<Vec<_>>(), [""; 0]);
+}
+
+#[test]
+fn a_folder_of_the_workbook_is_no_student() {
+    let ada = folder(&[(RAY, CODE)]);
+    let course = learn::exercise::read_all().unwrap();
+    let read = Collected::read(&[ada.path().to_owned()], course);
+    assert!(read.unwrap_err().contains("no student"));
+    let zip = folder(&[("ada.zip", &zip(&[(RAY, CODE)]))]);
+    let read = Collected::read(&[zip.path().join("ada.zip")], course);
+    assert_eq!(read.unwrap().students[0].name, "ada");
 }
 
 #[test]
@@ -166,29 +160,32 @@ fn what_cannot_be_read_is_named() {
         .flat_map(u16::to_le_bytes)
         .collect();
     let bomb = vec![b' '; 1 << 20];
-    check(
-        &[
-            ("Ada/ray.rs", &utf_16),
-            ("Ada/sphere.rs.txt", CODE),
-            ("Bob/ray.rs", b"// gr\xfcn"),
-            ("Cy/ray.rs", &bomb),
-            ("Di/di.zip", b"PK"),
-            ("Ed/a.zip", &zip(&[("b.zip", &zip(&[("ray.rs", CODE)]))])),
-            ("Flo/my_ray.rs", CODE),
-            ("../../Gil/ray.rs", CODE),
-            ("..\\Hal\\ray.rs", CODE),
-        ],
-        &[
+    let within = zip(&[("b.zip", &zip(&[("ray.rs", CODE)]))]);
+    let class = folder(&[
+        ("Ada/ray.rs", &utf_16),
+        ("Ada/sphere.rs.txt", CODE),
+        ("Bob/ray.rs", b"// gr\xfcn"),
+        ("Cy/ray.rs", &bomb),
+        ("Di/di.zip", b"PK"),
+        ("Ed.zip", &zip(&[("a.zip", &within)])),
+        (
+            "Gil.zip",
+            &zip(&[("../../ray.rs", CODE), ("..\\Hal\\sphere.rs", CODE)]),
+        ),
+        ("Jo/report.pdf", b"pdf"),
+    ]);
+    assert_eq!(
+        rows(class.path()),
+        [
             "Ada: ? Ada/ray.rs: it is a text in UTF-16; save it in UTF-8; \
              ? not found, unless it is in Ada/sphere.rs.txt",
             "Bob: ? Bob/ray.rs: line 1 has a letter that is not in UTF-8; save the file in UTF-8; -",
             "Cy: ? Cy/ray.rs: it is larger than 64 KiB; -",
             "Di: ? no file has the name of an exercise; it has Di/di.zip (it is no zip file, or a damaged one)",
             "Ed: ? no file has the name of an exercise; \
-             it has Ed/a.zip/b.zip (it is a zip file in two others; unpack one)",
-            "Flo: ? no file has the name of an exercise; it has Flo/my_ray.rs",
-            "Gil: Gil/ray.rs; -",
-            "Hal: Hal/ray.rs; -",
+             it has Ed.zip/a.zip/b.zip (it is a zip file in two others; unpack one)",
+            "Gil: Gil.zip/ray.rs; Gil.zip/Hal/sphere.rs",
+            "Jo: ? no file has the name of an exercise; it has Jo/report.pdf",
         ],
     );
 }
@@ -196,8 +193,18 @@ fn what_cannot_be_read_is_named() {
 #[cfg(unix)]
 #[test]
 fn links_are_not_followed() {
-    let folder = folder(&[("ada/sphere.rs", CODE)]);
-    std::os::unix::fs::symlink("/etc/passwd", folder.path().join("ada/ray.rs")).unwrap();
-    let expected = "ada: ? ray.rs: it is a link; hand in the file itself; sphere.rs";
-    assert_eq!(found(&folder, &["ada"]), [expected]);
+    let class = folder(&[("ada/sphere.rs", CODE)]);
+    let link = |name: &str| {
+        std::os::unix::fs::symlink("/etc/passwd", class.path().join(name)).unwrap();
+    };
+    link("ada/ray.rs");
+    link("bob");
+    let is_link = "it is a link; hand in the file itself";
+    assert_eq!(
+        rows(class.path()),
+        [
+            format!("ada: ? ada/ray.rs: {is_link}; ada/sphere.rs"),
+            format!("bob: ? no file has the name of an exercise; it has bob ({is_link})"),
+        ]
+    );
 }

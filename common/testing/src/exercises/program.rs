@@ -9,7 +9,7 @@ use common::difference::{
 };
 use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
-use exercise::{Record, Row, StudentAnswer, Verdict, verdict};
+use exercise::{Painted, Record, Row, StudentAnswer, Verdict, verdict};
 
 use super::assertion::is_rounding;
 use super::exercise::{Exercise, Picture, own_settings};
@@ -31,6 +31,8 @@ pub struct Findings {
     pub given: Vec<StudentAnswer>,
     /// The picture, also of code that is wrong.
     pub image: Option<Image>,
+    /// The comparison of the picture.
+    pub painted: Option<Painted>,
     /// Messages.
     pub verdict: Verdict,
 }
@@ -88,11 +90,11 @@ impl<C: 'static> Program<'_, C> {
         given
     }
 
-    /// Runs the examples of the code, asks it, lets it paint, and compares.
+    /// Runs the examples of the code, asks it, lets it paint, and compares, if there is a record.
     pub fn run(
         &self,
         examples: fn(),
-        record: &Record,
+        record: Option<&Record>,
         folder: &StageFolder,
         reader: Reader,
     ) -> Findings {
@@ -107,7 +109,8 @@ impl<C: 'static> Program<'_, C> {
             let fails = "an example at the end of the file fails, with the message above";
             before.push(fails.to_owned());
         }
-        let mut verdict = verdict(record, &given);
+        let compared = record.map(|record| verdict(record, &given));
+        let mut verdict = compared.unwrap_or_default();
         let missing = take_missing();
         let is_right = verdict.wrong.is_empty() && missing.is_empty();
         let mut image = None;
@@ -124,8 +127,8 @@ impl<C: 'static> Program<'_, C> {
             }
             _ => Ok(None),
         };
-        let compared = match catch_unwind(AssertUnwindSafe(paint)) {
-            Ok(Ok(compared)) => compared,
+        let painted = match catch_unwind(AssertUnwindSafe(paint)) {
+            Ok(Ok(compared)) => compared.map(|compared| compared.painted()),
             Ok(Err::<_, Error>(error)) => {
                 before.push(format!("the picture: {error}"));
                 None
@@ -138,15 +141,14 @@ impl<C: 'static> Program<'_, C> {
             }
         };
         verdict.wrong.splice(0..0, before);
-        if let Some(compared) = compared
-            && !(compared.difference.is_none() && verdict.wrong.is_empty())
-        {
-            verdict.wrong.push(compared.in_words());
+        if let (Some(_), Some(painted)) = (record, &painted) {
+            verdict.add_picture(painted);
         }
         Findings {
             missing,
             given,
             image,
+            painted,
             verdict,
         }
     }
@@ -211,16 +213,19 @@ pub fn difference(file: &Path, image: &Image) -> Option<String> {
 
 impl Comparison {
     /// The words about it. A picture that is right acquits no code: the scene does not show what is wrong.
-    fn in_words(&self) -> String {
+    fn painted(&self) -> Painted {
         let name = &self.name;
         let words = match (&self.difference, &self.divergence) {
             (None, None) => format!("{name} does not show it"),
             (None, Some(_)) => format!("{name} has the right colours"),
             (Some(difference), _) => format!("{name}: {difference}"),
         };
-        match &self.divergence {
-            Some(divergence) => format!("{words}\n{divergence}"),
-            None => words,
+        Painted {
+            is_right: self.difference.is_none(),
+            words: match &self.divergence {
+                Some(divergence) => format!("{words}\n{divergence}"),
+                None => words,
+            },
         }
     }
 }

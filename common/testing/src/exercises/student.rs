@@ -77,7 +77,9 @@ pub fn judge<C: 'static>(
     } else {
         Reader::Student
     };
-    let found = program.run(examples, &record, folder, reader);
+    // The grader compares, and its right answers are not where a student's program could read them.
+    let record = (!is_printed).then_some(&record);
+    let found = program.run(examples, record, folder, reader);
     if let Some(image) = found.image.filter(|_| !is_printed) {
         say(&folder.save(&image, &format!("{}-{name}.png", folder.stage().name)));
     }
@@ -96,7 +98,7 @@ pub fn judge<C: 'static>(
         say(words);
     }
     if is_printed {
-        print!("{}", print_answers(&found.given));
+        print!("{}", print_answers(&found.given, found.painted.as_ref()));
     }
     if printed.is_some_and(|printed| printed == ROWS) {
         let rows = program.rows();

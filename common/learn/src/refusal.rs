@@ -1,14 +1,16 @@
-//! `refusal`: why a file is not judged, because it calls the lesson instead of code of its own.
+//! `refusal`: why a file does not count, because it calls the lesson instead of code of its own. The grader does not
+//! judge it, and `cargo learn` says so.
 //!
 //! It is found by its words: a macro can hide a call, and nothing finds the lesson's text in another
 //! file.
 
-use learn::exercise::Exercise;
+use crate::exercise::Exercise;
 
 /// For each exercise, words that its code has only if it calls the lesson, and such words of all.
-const LESSONS: &str = include_str!("../handout/lessons.txt");
+const LESSONS: &str = include_str!("lessons.txt");
 
-/// Why a file is not judged.
+/// Why a file does not count, in words for the student; none if it does.
+#[must_use]
 pub fn refusal(e: &Exercise, text: &str) -> Option<String> {
     let mut text = joined(text);
     // A file may use its own items in a module for tests.
@@ -120,13 +122,12 @@ fn words(name: &str) -> impl Iterator<Item = &'static str> {
 
 #[cfg(test)]
 mod tests {
-    use learn::files;
-
     use super::*;
+    use crate::files;
 
     #[test]
     fn files_that_take_the_lesson_are_refused_and_starters_are_not() {
-        for e in learn::exercise::read_all().unwrap() {
+        for e in crate::exercise::read_all().unwrap() {
             let starter = files::starter(e).unwrap();
             assert_eq!(refusal(e, &starter), None, "{}", e.name);
             let lesson = format!("pub use {}::*;\n{starter}", e.stage.replace('-', "_"));
@@ -136,7 +137,7 @@ mod tests {
 
     #[test]
     fn files_that_start_programs_or_read_files_are_refused() {
-        let e = learn::exercise::find("sphere").unwrap();
+        let e = crate::exercise::find("sphere").unwrap();
         for line in [
             "std::process::Command::new(\"cat\")",
             "use std::process;",
