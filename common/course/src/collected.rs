@@ -9,7 +9,8 @@ use common::text;
 use learn::exercise::Exercise;
 use learn::files::with_path;
 
-use crate::hand_in::{HandedFile, files_in, is_added, is_archive, may_be_rust};
+use crate::hand_in::files_in;
+use crate::handed_file::{HandedFile, is_added, is_archive, may_be_rust};
 
 /// A folder, archive or file, whose name is the student's.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use learn::exercise::{self, Exercise};
 use crate::collected::Collected;
 use crate::exercises;
 use crate::grading_folder::GradingFolder;
-use crate::hand_in::HandedFile;
+use crate::handed_file::HandedFile;
 use crate::judge::judge;
 use crate::outcome::{Graded, Judged, Outcome, State};
 use crate::own_program;

@@ -5,6 +5,7 @@ mod collected;
 mod grade;
 mod grading_folder;
 mod hand_in;
+mod handed_file;
 mod handout;
 mod judge;
 mod mistake;

@@ -14,7 +14,7 @@ use common::text;
 use learn::files::with_path;
 
 use crate::grading_folder::{GradingFolder, output_of};
-use crate::hand_in::{Content, HandedFile};
+use crate::handed_file::{Content, HandedFile};
 use crate::sandbox::{End, Ended, Limits, Place};
 pub use manifest::MANIFEST;
 use manifest::manifest;

@@ -5,7 +5,7 @@ mod tests;
 
 use learn::exercise::Exercise;
 
-use crate::hand_in::{Content, HandedFile, may_be_rust};
+use crate::handed_file::{Content, HandedFile, may_be_rust};
 
 /// Folders of the workbook, beside those of the stages, around files that have the names of exercises.
 const OF_WORKBOOK: [&str; 3] = ["book", "common", "exercises"];

@@ -121,7 +121,7 @@ fn files_of_the_workbook_are_no_students() {
             if path.is_dir()
                 && !path_of_file
                     .iter()
-                    .any(|part| crate::hand_in::is_added(part))
+                    .any(|part| crate::handed_file::is_added(part))
             {
                 open.push(path);
             } else if path_of_file.len() > 3 && path_of_file[path_of_file.len() - 2] != "exercises"

@@ -1,0 +1,79 @@
+//! `HandedFile`: a file in a hand-in, and what its name says.
+
+use std::path::Path;
+
+use common::text;
+
+use crate::own_program::{MANIFEST, SHEETS};
+
+/// Extensions of archives, of which only zip files are opened.
+const ARCHIVES: [&str; 9] = ["7z", "bz2", "gz", "rar", "tar", "tgz", "xz", "zip", "zst"];
+
+/// Folders and files that systems and tools add.
+const ADDED: [&str; 7] = [
+    "__MACOSX",
+    ".DS_Store",
+    "Thumbs.db",
+    "desktop.ini",
+    ".git",
+    ".learn",
+    "target",
+];
+
+/// A file in a hand-in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandedFile {
+    /// What the student has handed in, the folders and zip files in it, and its own name.
+    pub path: Vec<String>,
+    pub content: Content,
+}
+
+impl HandedFile {
+    pub fn name(&self) -> &str {
+        self.path.last().map_or("", String::as_str)
+    }
+
+    /// The folders and zip files around it, below what the student has handed in.
+    pub fn folders(&self) -> &[String] {
+        self.path.get(1..self.path.len() - 1).unwrap_or_default()
+    }
+
+    /// Its path on one line.
+    pub fn shown(&self) -> String {
+        text::visible(&self.path.join("/"))
+    }
+}
+
+/// The text of a file, if it is wanted and can be read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Content {
+    NotWanted,
+    Text(String),
+    /// Why it cannot be read.
+    Problem(String),
+}
+
+/// Whether files of this name are read: Rust, and the two files of a program.
+pub fn is_wanted(name: &str) -> bool {
+    name.to_lowercase().ends_with(".rs") || [MANIFEST, SHEETS].contains(&name)
+}
+
+/// Whether a file may have the code of an exercise, perhaps under a name that a system has changed, such as
+/// `sphere.rs.txt`.
+pub fn may_be_rust(name: &str) -> bool {
+    let name = name.to_lowercase() + ".";
+    name.contains(".rs.")
+}
+
+/// Whether this is the name of an archive.
+pub fn is_archive(name: &str) -> bool {
+    let extension = Path::new(name).extension().unwrap_or_default();
+    ARCHIVES
+        .iter()
+        .any(|archive| extension.eq_ignore_ascii_case(archive))
+}
+
+/// Whether a system or a tool has added this file or folder.
+pub fn is_added(name: &str) -> bool {
+    ADDED.contains(&name) || name.starts_with("._")
+}
