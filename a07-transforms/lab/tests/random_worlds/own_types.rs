@@ -35,14 +35,15 @@ impl Geometry for Column {
     }
 }
 
-/// A lamp whose light fades with the square of the distance, up to a wall.
+/// A lamp whose light fades with the square of the distance, but stays finite, up to a wall: infinite light that a
+/// black surface scatters is no number, which the renderer without omissions alone would see.
 #[derive(Debug)]
 struct FadingLamp(PointLight);
 
 impl Light for FadingLamp {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.0.illumination(point).filter(|_| point.x() < 1.3)?;
-        let fading = 4.0 / (light.distance * light.distance);
+        let fading = 4.0 / (0.01 + light.distance * light.distance);
         Some(Illumination {
             color: light.color * fading,
             ..light
