@@ -11,4 +11,5 @@ mod levels;
 mod own_types;
 mod rays;
 mod scenes;
+mod shared;
 mod zeros;
