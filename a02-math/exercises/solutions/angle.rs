@@ -13,7 +13,8 @@ pub fn angle(a: Vector3, b: Vector3) -> f64 {
     // 3. Keep the digits of an angle near 0 or π.
     missing!("the angle", 0.0, {
         let sine = a.cross(b).magnitude();
-        let cosine = a.dot(b);
+        // A product of -0, whose angle would be π, becomes 0.
+        let cosine = a.dot(b) + 0.0;
         libm::atan2(sine, cosine)
     })
 }
