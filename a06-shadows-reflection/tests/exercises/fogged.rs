@@ -17,6 +17,8 @@ pub fn exercise() -> Exercise<Code> {
                 fogged(clear, Color::new(0.7, 0.75, 0.8), 0.08, distance)
             })
         }),
-        ..Exercise::asked(|fogged: &Code, (own, fog, density, distance)| fogged(own, fog, density, distance))
+        ..Exercise::asked(|fogged: &Code, (own, fog, density, distance)| {
+            fogged(own, fog, density, distance)
+        })
     }
 }

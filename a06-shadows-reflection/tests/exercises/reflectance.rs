@@ -10,7 +10,9 @@ type Code = fn(f64, f64, f64) -> f64;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::own(of_diamond),
-        ..Exercise::asked(|reflectance: &Code, [cosine, from, to]: [_; 3]| reflectance(cosine, from, to))
+        ..Exercise::asked(|reflectance: &Code, [cosine, from, to]: [_; 3]| {
+            reflectance(cosine, from, to)
+        })
     }
 }
 
