@@ -32,6 +32,7 @@ checks! {
     every_listing_shows_something: include::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
     each_file_of_tests_is_compiled: forgotten::complaints;
+    each_exercise_is_in_its_lists: forgotten::exercises;
     each_anchor_has_a_figure: recorded::anchors;
     the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }
