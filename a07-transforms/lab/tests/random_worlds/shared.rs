@@ -26,10 +26,9 @@ fn a_part_behind_the_one_that_holds_the_lamp_casts_a_shadow() {
 /// A floor below a lamp at a height of 2, and a definition with a ball of radius 1e8 around this height. Balls far away
 /// make it worth sharing.
 fn picture(height: f64, balls: &str) -> Image {
-    let mut balls = balls.to_owned();
-    for x in 10..40 {
-        balls += &format!("[[define.balls.sphere]]\ncenter = [{x}, 0, 0]\nradius = 0.1\n");
-    }
+    let far =
+        (10..40).map(|x| format!("[[define.balls.sphere]]\ncenter = [{x}, 0, 0]\nradius = 0.1\n"));
+    let balls = far.fold(balls.to_owned(), |all, ball| all + &ball);
     let scene = format!(
         "[camera]\neye = [0, 1, 4]\nlook_at = [0, 0, 0]\nangle = 60\n\
         [material.m]\ndiffuse = [1, 1, 1]\n\
