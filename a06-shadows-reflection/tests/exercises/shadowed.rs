@@ -75,8 +75,8 @@ fn simple() -> Vec<Lit> {
         simple.push(across([0.001, 0.003], distance));
         // Closer to the surface, and to the lamp.
         simple.push(across([1e-6, 1e-5], distance));
-        simple.push(across([0.99999, 0.999995], distance));
-        simple.push(across([0.999999, 0.9999995], distance));
+        simple.push(across([0.99999, 0.999_995], distance));
+        simple.push(across([0.999_999, 0.999_999_5], distance));
     }
     for distance in [8.0, 8e-6, 8e6] {
         for direction in [[3.0, 4.0, 0.0], [-2.0, 3.0, 6.0], [1.0, 1.0, 1.0]] {
