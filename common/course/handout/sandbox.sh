@@ -20,7 +20,7 @@ path=/usr/bin:/bin
 # A block has 512 bytes in POSIX.
 limits="ulimit -c 0; ulimit -t $seconds; ulimit -v $((memory * 1024)); ulimit -f $((file * 2048))"
 run='exec "$@"'
-clean="env -i EXERCISE_PRINTED=yours RAYON_NUM_THREADS=2"
+clean="env -i EXERCISE_MODE=grader RAYON_NUM_THREADS=2"
 [ "$kind" = picture ] && late=$seconds || late=$((3 * seconds))
 late="timeout -s KILL $late"
 

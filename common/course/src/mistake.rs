@@ -5,7 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use common::text;
-use exercise::{PRINTED, ROWS, Record, StudentAnswer, read_answers, read_rows, verdict};
+use exercise::{MODE, Mode, Record, StudentAnswer, read_answers, read_rows, verdict};
 use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
 
@@ -113,7 +113,7 @@ fn fact(words: &str) -> Result<&str, String> {
 
 /// The output of a student's program that answers all questions.
 fn output(folder: &GradingFolder, e: &'static Exercise, students: &str) -> Result<String, String> {
-    let asked = format!("{PRINTED}={ROWS}");
+    let asked = format!("{MODE}={}", Mode::Mistake.name());
     let ended = match run(folder, e, students, &["env".as_ref(), asked.as_ref()])? {
         Ok(ended) => ended,
         Err(outcome) => return Err(text::message(&outcome.message)),

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, ExitStatus, Stdio};
 
+use exercise::BEGUN;
 use learn::files::{self, with_path};
 
 /// The limits, and how they are set.
@@ -151,7 +152,7 @@ fn exit_code(status: ExitStatus) -> Option<i32> {
 fn end(code: Option<i32>) -> End {
     match code {
         Some(0) => End::Success,
-        Some(3) => End::Begun,
+        Some(code) if code == i32::from(BEGUN) => End::Begun,
         // `timeout` kills, and so does the system, a process that has used its processor time.
         Some(124 | 137) => End::Limit("time"),
         Some(152) => End::Limit("processor time"),

@@ -5,25 +5,11 @@ use crate::{Painted, Record, Row, StudentAnswer, text};
 /// Sets the answers apart from what a program prints besides, which is before it.
 pub const MARK: char = '\u{1c}';
 
-/// With this variable in the environment, each line of a check begins with a mark, which sets it
-/// apart from what the student's program prints.
-pub const MARKED: &str = "EXERCISE_MARKED";
-
-/// With this variable, the program of a check prints its answers for a grader.
-pub const PRINTED: &str = "EXERCISE_PRINTED";
-
-/// The value of [`PRINTED`] with which it prints a record of them, too: behind another mark, and with how far
-/// each of them may move.
-pub const ROWS: &str = "rows";
-
-/// With this variable, the program of a shape's exercise asks it the rays of the corpus, and nothing else.
-pub const CORPUS: &str = "EXERCISE_CORPUS";
-
 /// The line before the words about a picture.
 const RIGHT_PICTURE: &str = "the picture is right";
 const WRONG_PICTURE: &str = "the picture is wrong";
 
-/// Begins a line of a check.
+/// Begins a line of a check's words to a student, and so sets it apart from what the student's program prints.
 pub const WORDS_MARK: char = '\u{1e}';
 
 /// The mark, two lines for each question, its words and the answer, and those of the picture. Whether the answers are

@@ -5,7 +5,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io};
 
-use ::exercise::{CORPUS, MARKED};
+use ::exercise::{MODE, Mode};
 use common::text;
 
 use crate::build::{Build, build};
@@ -29,7 +29,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         Ok(text) => text,
         Err(problem) => return Report::new(e, &problem),
     };
-    let mut report = match build_and_run(e, None, space, watcher) {
+    let mut report = match build_and_run(e, Mode::Student, space, watcher) {
         Ok(Some(report)) => report,
         Ok(None) => return Report::new(e, "stopped"),
         Err(problem) => return Report::new(e, &problem),
@@ -55,7 +55,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
 
 /// What a student's shape answers to the rays of the corpus.
 pub fn ask_corpus(e: &Exercise, space: Space, watcher: Watcher) -> Result<String, String> {
-    let report = build_and_run(e, Some(CORPUS), space, watcher)?;
+    let report = build_and_run(e, Mode::Corpus, space, watcher)?;
     Ok(match report {
         Some(report) if report.is_done => report.words,
         Some(report) => report.verdict,
@@ -63,17 +63,17 @@ pub fn ask_corpus(e: &Exercise, space: Space, watcher: Watcher) -> Result<String
     })
 }
 
-/// Builds and runs the check, with a variable in its environment. There is no report if the watcher stops it.
+/// Builds and runs the check in a mode. There is no report if the watcher stops it.
 fn build_and_run(
     e: &Exercise,
-    variable: Option<&str>,
+    mode: Mode,
     space: Space,
     watcher: Watcher,
 ) -> Result<Option<Report>, String> {
     match build(e, space, watcher)? {
         Build::Program(program) => {
             let mut check = limited(program.as_ref());
-            check.envs(variable.map(|variable| (variable, "1")));
+            check.env(MODE, mode.name());
             run_check(e, check, program.as_ref(), space, watcher)
         }
         Build::Failed(printed) => Ok(Some(does_not_compile(e, printed))),
@@ -131,7 +131,7 @@ fn run_check(
 ) -> Result<Option<Report>, String> {
     let with_path = files::with_path(program);
     let (output, to_output) = io::pipe().map_err(&with_path)?;
-    check.env("RUST_BACKTRACE", "0").env(MARKED, "1");
+    check.env("RUST_BACKTRACE", "0");
     check.stdout(to_output.try_clone().map_err(&with_path)?);
     check.stderr(to_output);
     let output = OutputReader::start(output);

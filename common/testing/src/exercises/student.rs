@@ -1,12 +1,11 @@
 //! `judge`: shows students the faults of their code.
 
 use std::collections::BTreeSet;
-use std::env;
 use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::{CORPUS, MARK, MARKED, PRINTED, ROWS, Record, Row, WORDS_MARK, print_answers};
+use exercise::{BEGUN, MARK, Mode, Record, Row, WORDS_MARK, print_answers};
 
 use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
@@ -16,7 +15,7 @@ use super::program::{Program, Reader};
 use super::{Missing, take_missing};
 
 /// Runs the examples of a student's file, asks its code, prints the findings, and exits with
-/// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
+/// 0 if the code is right, with 1 if it is not, and with [`BEGUN`] if parts are still missing.
 #[must_use]
 #[allow(
     clippy::needless_pass_by_value,
@@ -42,11 +41,12 @@ pub fn judge<C: 'static>(
             say(&panic_words(name, panic));
         }
     }));
-    if env::var_os(CORPUS).is_some() {
+    let mode = Mode::of_environment();
+    if mode == Mode::Corpus {
         let words = ask_corpus(name, &exercise, &yours);
         // Code that is not written answers each ray by a miss.
         if !take_missing().is_empty() {
-            return ExitCode::from(3);
+            return ExitCode::from(BEGUN);
         }
         say(&words);
         return ExitCode::SUCCESS;
@@ -58,8 +58,7 @@ pub fn judge<C: 'static>(
             return ExitCode::FAILURE;
         }
     };
-    let printed = env::var_os(PRINTED);
-    let is_printed = printed.is_some();
+    let is_printed = mode.prints_answers();
     let without_answer = record.rows.iter().find(|row| !row.is_recorded());
     if let Some(Row { key, .. }) = without_answer.filter(|_| !is_printed) {
         let stage = folder.stage().name;
@@ -89,7 +88,7 @@ pub fn judge<C: 'static>(
                 "to do: {what}\n    in {name}.rs, line {line}, instead of `testing::missing(…)`"
             ));
         }
-        return ExitCode::from(3);
+        return ExitCode::from(BEGUN);
     }
     for words in &found.verdict.wrong {
         say(words);
@@ -100,7 +99,7 @@ pub fn judge<C: 'static>(
     if is_printed {
         print!("{}", print_answers(&found.given, found.painted.as_ref()));
     }
-    if printed.is_some_and(|printed| printed == ROWS) {
+    if mode == Mode::Mistake {
         let rows = program.rows();
         let record = Record {
             rows,
@@ -124,10 +123,9 @@ fn panic_words(name: &str, panic: &PanicHookInfo) -> String {
     format!("{file}, line {line}: {message}")
 }
 
-/// Prints words, each line behind a mark if the reader asks for it: so they are told from what the
-/// student's program prints.
+/// Prints words, for a student each line behind a mark.
 fn say(words: &str) {
-    let is_marked = env::var_os(MARKED).is_some();
+    let is_marked = !Mode::of_environment().prints_answers();
     for line in words.lines() {
         if is_marked {
             println!("{WORDS_MARK}{line}");
