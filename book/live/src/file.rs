@@ -8,8 +8,8 @@ use common::{Error, Renderer, Scene, Settings};
 use scene_file::{Mesh, SceneFile};
 
 /// Most samples of a picture, and most surfaces of a ray, so that the picture is soon there.
-const MOST_SAMPLES: u64 = 640 * 480 * 16;
-const MOST_SURFACES: u32 = 50;
+const MAX_SAMPLES: u64 = 640 * 480 * 16;
+const MAX_SURFACES: u32 = 50;
 
 /// The scene of a scene file.
 pub fn scene(text: &str) -> Result<Scene, Error> {
@@ -35,12 +35,12 @@ fn read(text: &str) -> Result<(Settings, SceneFile), scene_file::Error> {
     // The same bytes sooner: a reader waits for each change of the text.
     settings.renderer = Renderer::Engine;
     let pixels = u64::from(settings.size.width()) * u64::from(settings.size.height());
-    if pixels * u64::from(settings.samples) > MOST_SAMPLES {
-        let most = format!("this page takes at most {MOST_SAMPLES} samples, as 640x480 with 16");
+    if pixels * u64::from(settings.samples) > MAX_SAMPLES {
+        let most = format!("this page takes at most {MAX_SAMPLES} samples, as 640x480 with 16");
         return Err(file.picture.error("size", most));
     }
-    if settings.depth > MOST_SURFACES {
-        let most = format!("this page takes a depth of at most {MOST_SURFACES}");
+    if settings.depth > MAX_SURFACES {
+        let most = format!("this page takes a depth of at most {MAX_SURFACES}");
         return Err(file.picture.error("depth", most));
     }
     Ok((settings, file))

@@ -20,7 +20,7 @@ struct Opened {
 }
 
 /// A page asks for two sizes of a picture in turn.
-const MOST_PICTURES: usize = 2;
+const MAX_PICTURES: usize = 2;
 
 impl Opened {
     /// The picture of the file.
@@ -30,7 +30,7 @@ impl Opened {
             place
         } else {
             let picture = self.scene.render(settings, &())?;
-            self.pictures.truncate(MOST_PICTURES - 1);
+            self.pictures.truncate(MAX_PICTURES - 1);
             self.pictures.insert(0, (settings.clone(), picture));
             0
         };

@@ -17,18 +17,18 @@ use crate::handed_file::{Content, HandedFile, is_added, is_archive, is_wanted};
 const MOST: u64 = 64 * 1024;
 
 /// The most bytes of a zip file within another one, and of all such and of all files that are read.
-const MOST_WITHIN: u64 = 64 * 1024 * 1024;
+const MAX_WITHIN: u64 = 64 * 1024 * 1024;
 const MOST_OF_ALL: u64 = 256 * 1024 * 1024;
 
 /// The most files of a student.
-const MOST_FILES: usize = 200_000;
+const MAX_FILES: usize = 200_000;
 
 /// All files in a folder or zip file, or the file alone, in the order of their names. Only files are read whose
 /// names the grader knows.
 pub fn files_in(place: &Path) -> Vec<HandedFile> {
     let mut search = Search {
         files: Vec::new(),
-        most_files: MOST_FILES,
+        most_files: MAX_FILES,
         bytes_left: MOST_OF_ALL,
     };
     let name = place.file_name().unwrap_or(place.as_os_str());
@@ -163,7 +163,7 @@ impl Search {
 
     /// The files in a zip file within another one, which is read as a whole.
     fn zip_within(&mut self, archive: impl Read, path: &[String]) {
-        let most = MOST_WITHIN.min(self.bytes_left);
+        let most = MAX_WITHIN.min(self.bytes_left);
         let mut bytes = Vec::new();
         let read = archive.take(most + 1).read_to_end(&mut bytes);
         let count = bytes.len() as u64;

@@ -23,7 +23,7 @@ const NOT_STUDENTS: [&str; 8] = [
 ];
 
 /// The most names in a message.
-const MOST_NAMES: usize = 10;
+const MAX_NAMES: usize = 10;
 
 /// The file of an exercise in a hand-in.
 #[derive(Debug, PartialEq, Eq)]
@@ -117,8 +117,8 @@ fn is_of(file: &HandedFile, e: &Exercise) -> bool {
 /// Names in a message, and how many others there are.
 pub fn names(all: impl ExactSizeIterator<Item = String>) -> String {
     let count = all.len();
-    let first = all.take(MOST_NAMES).collect::<Vec<_>>().join(", ");
-    match count.checked_sub(MOST_NAMES) {
+    let first = all.take(MAX_NAMES).collect::<Vec<_>>().join(", ");
+    match count.checked_sub(MAX_NAMES) {
         None | Some(0) => first,
         Some(more) => format!("{first} and {more} more"),
     }

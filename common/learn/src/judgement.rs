@@ -20,7 +20,7 @@ use crate::report::Report;
 use crate::screen::Space;
 
 /// The longest time in seconds that a check may take, unless `LEARN_SECONDS` is another.
-const LONGEST: u64 = 10;
+const MAX_SECONDS: u64 = 10;
 
 /// Checks a student's file, and records whether it is done. Output is cut to the space.
 pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watcher) -> Report {
@@ -137,7 +137,7 @@ fn run_check(
     let output = OutputReader::start(output);
 
     let limit = env::var("LEARN_SECONDS").ok();
-    let seconds = limit.and_then(|n| n.parse().ok()).unwrap_or(LONGEST);
+    let seconds = limit.and_then(|n| n.parse().ok()).unwrap_or(MAX_SECONDS);
     let limit = Duration::from_secs(seconds);
     let start = Instant::now();
     let status = run(check, &mut || {

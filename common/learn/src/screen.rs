@@ -9,7 +9,7 @@ use console::Term;
 use crate::wrap::{wrap, wrap_markdown};
 
 /// The most lines of a program's output that are shown.
-const MOST_LINES: usize = 50;
+const MAX_LINES: usize = 50;
 
 /// On a terminal, the rows that are left to the task and the verdict, and the fewest lines of
 /// output, however small the terminal is.
@@ -65,10 +65,10 @@ impl Screen {
     /// The space for the output of a program beside the task and the verdict.
     pub fn space(&self) -> Space {
         let size = self.size();
-        let lines = size.map_or(MOST_LINES, |(rows, _)| rows.saturating_sub(OTHER_ROWS));
+        let lines = size.map_or(MAX_LINES, |(rows, _)| rows.saturating_sub(OTHER_ROWS));
         Space {
             width: self.width(),
-            lines: lines.clamp(FEWEST_LINES, MOST_LINES),
+            lines: lines.clamp(FEWEST_LINES, MAX_LINES),
         }
     }
 
