@@ -23,7 +23,7 @@ pub use show_image::ShowImage;
 /// in a build without the feature `window`.
 #[cfg(not(target_family = "wasm"))]
 #[must_use]
-pub fn viewer() -> Option<program::Viewer> {
+pub fn viewer() -> Option<command_line::Viewer> {
     #[cfg(feature = "window")]
     return Some(window::show);
     #[cfg(not(feature = "window"))]

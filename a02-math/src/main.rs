@@ -4,9 +4,9 @@
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
-    program::run(
+    command_line::run(
         &a02_math::stage(),
         a01_image_display::viewer(),
-        program::no_rays,
+        command_line::no_rays,
     )
 }

@@ -4,7 +4,7 @@
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
-    program::run(
+    command_line::run(
         &a03_rays_cameras::stage(),
         a01_image_display::viewer(),
         a03_rays_cameras::inspector,

@@ -13,7 +13,7 @@ use a07_transforms::{Node, Transform, traced};
 use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size, Stage};
 
 fn main() -> ExitCode {
-    program::run(
+    command_line::run(
         &stage(),
         a01_image_display::viewer(),
         a03_rays_cameras::inspector,

@@ -6,7 +6,7 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use program::Gallery;
+use command_line::Gallery;
 use rfd::FileDialog;
 
 /// A person takes longer to cancel a dialog; what ends sooner was none.

@@ -13,8 +13,8 @@ mod x_display;
 
 use std::time::{Duration, Instant};
 
+use command_line::{Gallery, NotShown};
 use minifb::{Key, ScaleMode, Window, WindowOptions};
-use program::{Gallery, NotShown};
 
 use dialog::Dialog;
 use input::{Event, Input};

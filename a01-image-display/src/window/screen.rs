@@ -3,9 +3,9 @@
 
 use std::mem;
 
+use command_line::{ExplainedPixel, Gallery, LivePicture};
 use common::Size;
 use minifb::Key;
-use program::{ExplainedPixel, Gallery, LivePicture};
 
 use super::frame::{Area, Frame, wrapped};
 use super::placement::Placement;

@@ -9,7 +9,7 @@ use std::process::Command;
 use std::time::Duration;
 use std::{env, fs};
 
-use program::NotShown;
+use command_line::NotShown;
 
 /// Begins the program anew if it shall use an input method, which may not be there: keys need none. A variable of the
 /// environment can be removed for a new program only.

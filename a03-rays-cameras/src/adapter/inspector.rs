@@ -1,7 +1,7 @@
 //! `inspector`: answers the commands of the program that ask for more than a picture.
 
+use command_line::{Inspect, SeenLine};
 use common::{Error, PixelTrace, Scene, Settings};
-use program::{Inspect, SeenLine};
 
 use super::views::Views;
 

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    program::run(
+    command_line::run(
         &a07_lab::go_wrong::stage(),
         a01_image_display::viewer(),
         a03_rays_cameras::inspector,

@@ -47,9 +47,9 @@ pub fn run_with(
     match Command::try_parse_from(arguments) {
         Ok(command) => {
             let done = execute(laboratory, command);
-            program::exit_code(done.map(|()| ExitCode::SUCCESS))
+            command_line::exit_code(done.map(|()| ExitCode::SUCCESS))
         }
-        Err(help_or_error) => program::print_clap_error(&help_or_error),
+        Err(help_or_error) => command_line::print_clap_error(&help_or_error),
     }
 }
 

@@ -140,7 +140,7 @@ impl<'a> Times<'a> {
 /// The time that this program has worked, in seconds: waiting while others have the processor does not count.
 #[cfg(not(target_family = "wasm"))]
 fn now() -> f64 {
-    program::processor_time()
+    command_line::processor_time()
 }
 
 /// In browsers the page has the clock.

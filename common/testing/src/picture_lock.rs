@@ -11,8 +11,8 @@ mod program_run;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use command_line::picture_name;
 use common::{Image, Renderer, Scene, Settings, Stage, Transfer, fnv1a, picture_file};
-use program::picture_name;
 
 use common::difference::{compare_with_file, leave_pictures};
 

@@ -1,7 +1,7 @@
 //! `extremes`: the stiff and extreme cases, for a reader.
 
+use command_line::print;
 use common::Error;
-use program::print;
 
 use crate::{Effort, Laboratory, extremes};
 

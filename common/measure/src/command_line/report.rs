@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use command_line::{make_default_folder, make_folder, print, terminal_bar};
 use common::{Error, Stage, text};
-use program::{make_default_folder, make_folder, print, terminal_bar};
 
 use crate::experiment::Experiment;
 use crate::report::{self, Measured};

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::process::Command;
 
+use command_line::picture_name;
 use common::{Stage, picture_file};
-use program::picture_name;
 
 use super::TestPaths;
 

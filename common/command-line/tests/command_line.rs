@@ -6,10 +6,10 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::{env, fs};
 
+use command_line::{Gallery, NotShown, no_rays, run_with};
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, picture_file};
 use measure::Laboratory;
 use measure::extremes::{Case, Number};
-use program::{Gallery, NotShown, no_rays, run_with};
 use testing::{Random, for_seeds};
 
 /// Set in the process that runs the programs: their messages are not output of a test,
