@@ -15,7 +15,7 @@ use crate::judge::record;
 const FOLDER: &str = "target/unnamed";
 
 /// The most groups that are shown.
-const MOST: usize = 10;
+const MAX_GROUPS: usize = 10;
 
 /// Groups of files.
 #[derive(Default)]
@@ -82,7 +82,7 @@ impl Unnamed {
         self.groups.sort_by_key(|group| Reverse(group.count));
         let mut list =
             vec!["wrong in the same way, without a sentence that says why:\n".to_owned()];
-        for group in self.groups.iter().take(MOST) {
+        for group in self.groups.iter().take(MAX_GROUPS) {
             let (count, name, student) = (group.count, group.exercise.name, &group.student);
             let file = group.save()?;
             list.push(format!("  {count} of {name}, such as {student}'s\n"));

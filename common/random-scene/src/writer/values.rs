@@ -1,0 +1,125 @@
+//! Random values of the keys of a table, by the form, the unit and the range of each.
+
+use std::fmt::Write;
+
+use common::sensitivity::Unit;
+use scene_file::{Form, Key, Kind, Missing};
+
+use super::{Writer, kind};
+use crate::list;
+use crate::meshes::{MESHES, mesh};
+use crate::numbers::{Numbers, Style};
+
+impl Writer<'_> {
+    /// Random values for the keys of a table, but not for the surface of a shape.
+    pub(super) fn keys(&mut self, kind: &Kind) -> String {
+        let (mut text, is_other) = (String::new(), self.numbers.below(2) == 0);
+        let stage = self.stage;
+        for key in kind.keys.iter().filter(|key| key.stage <= stage) {
+            let is_there = match key.missing {
+                Missing::NeededOr("material") | Missing::InsteadOf("color") => false,
+                Missing::Needed | Missing::NeededWith(_) => true,
+                Missing::NeededOr(_) => !is_other,
+                Missing::InsteadOf(_) => is_other,
+                // Tables in a table have no meaning of their own.
+                Missing::Optional => !key.about.is_empty() && self.numbers.below(3) > 0,
+            };
+            if is_there {
+                let value = self.value(key);
+                let _ = writeln!(text, "{} = {value}", key.name);
+            }
+        }
+        text
+    }
+
+    fn value(&mut self, key: &Key) -> String {
+        match &key.form {
+            Form::Color => self.color(),
+            Form::Flag => self.numbers.one_of(&["true", "false"]).to_owned(),
+            Form::Text if key.name == "file" => {
+                let name = self.numbers.one_of(&MESHES);
+                let numbers = &mut self.numbers;
+                self.meshes
+                    .entry(name)
+                    .or_insert_with(|| mesh(name, numbers));
+                format!("{name:?}")
+            }
+            Form::Text => format!("{:?}", self.numbers.one_of(&["part", "whole"])),
+            Form::Tables(_) => {
+                let steps: Vec<_> = (0..self.numbers.below(3)).map(|_| self.step()).collect();
+                format!("[{}]", steps.join(", "))
+            }
+            Form::Numbers { lengths, .. } => match lengths[..] {
+                [] => self.numbers_of(key, 1).trim_matches(['[', ']']).to_owned(),
+                [count] => self.numbers_of(key, count),
+                [rows, columns, ..] => {
+                    let rows: Vec<_> = (0..rows).map(|_| self.numbers_of(key, columns)).collect();
+                    format!("[{}]", rows.join(", "))
+                }
+            },
+        }
+    }
+
+    /// A list of numbers of the unit of a key, and mostly in its range.
+    fn numbers_of(&mut self, key: &Key, count: usize) -> String {
+        let numbers = &mut self.numbers;
+        let in_range = |numbers: &mut Numbers, values: &[f64]| {
+            let values: Vec<_> = values
+                .iter()
+                .copied()
+                .filter(|x| key.range.contains(*x))
+                .collect();
+            (0..count).map(|_| numbers.one_of(&values)).collect()
+        };
+        let mut values: Vec<f64> = match key.unit {
+            Some(Unit::Direction(_)) => numbers.direction().to_vec(),
+            Some(Unit::Length) if count == 3 => {
+                let mut point = numbers.point();
+                // Where it sees most of the scene.
+                if key.name == "eye" && numbers.below(3) > 0 {
+                    point[numbers.below(3)] += numbers.unit * numbers.one_of(&[3.0, -3.0, 6.0]);
+                }
+                point.to_vec()
+            }
+            Some(Unit::Length) => vec![numbers.unit * numbers.one_of(&[0.25, 0.5, 1.0, 0.7])],
+            Some(Unit::Degree) => in_range(numbers, &[0.0, 90.0, 180.0, 30.0, 40.0, 3.0]),
+            Some(Unit::Scale) => in_range(numbers, &[1.0, 1.0, 1.0, -1.0, 0.5, -2.0, 1e-9]),
+            Some(Unit::Whole) => in_range(numbers, &[1.0, 2.0, 3.0]),
+            _ => in_range(numbers, &[0.0, 1.0, 2.5, 64.0, 1024.0]),
+        };
+        if numbers.style == Style::Any && numbers.below(4) == 0 {
+            values[0] = numbers.any();
+        }
+        if key.form.is_whole() {
+            return format!("[{}]", values[0]);
+        }
+        list(&values)
+    }
+
+    /// Black in one of three cases.
+    pub(super) fn color(&mut self) -> String {
+        let is_black = self.numbers.below(3) == 0;
+        let channels = [(); 3].map(|()| {
+            if is_black {
+                0.0
+            } else {
+                self.numbers.below(9) as f64 / 8.0
+            }
+        });
+        list(&channels)
+    }
+
+    /// A step of a transform.
+    fn step(&mut self) -> String {
+        let steps = &kind("step").keys;
+        let key = &steps[self.numbers.below(steps.len())];
+        match key.name {
+            "matrix" => "{ matrix = [[-1, 0e0, 0e0, 1], [0e0, 2, 0e0, 0e0], [0e0, 0e0, 1, 0e0]] }"
+                .to_owned(),
+            "inverse" => "{ matrix = [[1, 0e0, 0e0, 2], [0e0, -1, 0e0, 0e0], [0e0, 0e0, 1, 0e0]], \
+                inverse = [[1, 0e0, 0e0, -2], [0e0, -1, 0e0, 0e0], [0e0, 0e0, 1, 0e0]] }"
+                .to_owned(),
+            name => format!("{{ {name} = {} }}", self.value(key)),
+        }
+    }
+}
