@@ -1,4 +1,4 @@
-//! `t_of` as the t at which the way to the point is perpendicular to the ray, by one step of Newton's method.
+//! `t_of` as the t at which the displacement to the point is perpendicular to the ray, by one step of Newton's method.
 
 use crate::prelude::*;
 

@@ -1,4 +1,4 @@
-//! `OrthographicCamera` by fractions of the way from edge to edge; the only pixel of a row is half way.
+//! `OrthographicCamera` by fractions of the width and height; the only pixel of a row is half way.
 
 use crate::prelude::*;
 

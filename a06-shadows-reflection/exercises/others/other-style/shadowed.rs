@@ -1,4 +1,4 @@
-//! `is_shadowed` by the nearest hit on the way to the light.
+//! `is_shadowed` by the nearest hit of the ray to the light.
 
 use crate::prelude::*;
 
