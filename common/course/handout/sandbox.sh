@@ -17,6 +17,10 @@ esac
 rust=$(rustc --print sysroot)
 cargo=${CARGO_HOME:-$HOME/.cargo}
 path=/usr/bin:/bin
+if [ "$kind" = picture ]; then
+    # Nothing stays of an earlier one. With bubblewrap the program runs as nobody.
+    rm -rf "$folder/pictures" && mkdir -m 777 "$folder/pictures" || exit
+fi
 # A block has 512 bytes in POSIX.
 limits="ulimit -c 0; ulimit -t $seconds; ulimit -v $((memory * 1024)); ulimit -f $((file * 2048))"
 run='exec "$@"'

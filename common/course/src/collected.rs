@@ -16,6 +16,8 @@ use crate::handed_file::{HandedFile, is_added, is_archive, may_be_rust};
 #[derive(Debug)]
 pub struct Student {
     pub name: String,
+    /// The name of its files in the folder of the results, which no other student has.
+    pub file_name: String,
     place: PathBuf,
 }
 
@@ -42,7 +44,7 @@ impl Collected {
         entries.sort();
         entries.dedup();
         let mut collected = Self::default();
-        let mut taken = BTreeSet::new();
+        let (mut taken, mut file_names) = (BTreeSet::new(), BTreeSet::new());
         for place in entries {
             let whole = place.file_name().unwrap_or(place.as_os_str());
             let whole = whole.to_string_lossy().into_owned();
@@ -61,7 +63,16 @@ impl Collected {
             if !taken.insert(name.clone()) {
                 name = text::path(&place);
             }
-            collected.students.push(Student { name, place });
+            let mut file_name = file_name(&name);
+            // Windows takes capital letters for small ones.
+            while !file_names.insert(file_name.to_lowercase()) {
+                file_name.push('_');
+            }
+            collected.students.push(Student {
+                name,
+                file_name,
+                place,
+            });
         }
         if collected.students.is_empty() && !places.is_empty() {
             return Err("there is no folder and no zip file of a student".to_owned());
@@ -93,4 +104,14 @@ fn without_extensions(name: &str) -> &str {
         short = before;
     }
     short
+}
+
+/// A name for a file, which is in no other folder.
+fn file_name(name: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || " -_().,".contains(c);
+    let name: String = name
+        .chars()
+        .map(|c| if is_plain(c) { c } else { '_' })
+        .collect();
+    name.trim_start_matches('.').to_owned()
 }

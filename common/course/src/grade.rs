@@ -77,18 +77,14 @@ impl Grade {
             let mut results =
                 self.judge_exercises(&student.name, &files, course, &folder, &mut unnamed)?;
             if !sheets.is_empty() {
-                let programs = own_program::find(&files);
                 let output = self.output.as_deref();
-                results.extend(sheet::judge_all(
-                    &student.name,
-                    &programs,
-                    &sheets,
-                    &folder,
-                    output,
-                ));
+                results.extend(sheet::judge_all(student, &files, &sheets, &folder, output)?);
             }
-            let name = student.name.clone();
-            let student = Graded { name, results };
+            let student = Graded {
+                name: student.name.clone(),
+                file_name: student.file_name.clone(),
+                results,
+            };
             print!("{}", results::text(&student));
             graded.push(student);
         }
@@ -134,7 +130,6 @@ impl Grade {
                 stage: e.stage,
                 name: e.name.to_owned(),
                 file,
-                pictures: Vec::new(),
                 outcome,
             });
         }

@@ -33,9 +33,14 @@ impl HandedFile {
         self.path.last().map_or("", String::as_str)
     }
 
+    /// The folder or zip file around it, whose path has a part less.
+    pub fn folder(&self) -> &[String] {
+        self.path.split_last().map_or(&[], |(_, folder)| folder)
+    }
+
     /// The folders and zip files around it, below what the student has handed in.
     pub fn folders(&self) -> &[String] {
-        self.path.get(1..self.path.len() - 1).unwrap_or_default()
+        self.folder().get(1..).unwrap_or_default()
     }
 
     /// Its path on one line.

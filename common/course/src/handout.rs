@@ -17,9 +17,11 @@ use crate::packages::Packages;
 /// The page for students, with `{stage}` instead of the last stage.
 const README: &str = include_str!("../handout/README.md");
 
+/// The commands of students.
+const CONFIG: &str = "[alias]\nlearn = \"run --package learn --\"\n";
+
 /// The files that are handed out and belong to no package.
-const ROOT: [&str; 6] = [
-    ".cargo/config.toml",
+const ROOT: [&str; 5] = [
     ".gitignore",
     "Cargo.lock",
     "Cargo.toml",
@@ -27,19 +29,20 @@ const ROOT: [&str; 6] = [
     "clippy.toml",
 ];
 
-/// The folders of a package that no exercise is built of.
-const NOT_BUILT: [&str; 7] = [
-    "adapters/",
-    "benches/",
-    "examples/",
-    "exercises/others/",
-    "facts/",
-    "results/",
-    "tests/",
+/// The files and folders of a package that exercises are built of, as far as it has them.
+const BUILT: [&str; 11] = [
+    "Cargo.toml",
+    "assets/",
+    "build.rs",
+    "cases.toml",
+    "exercises/answers/",
+    "exercises/exercises.toml",
+    "exercises/solutions/",
+    "scenes/",
+    "single.toml",
+    "src/",
+    "tests/exercises/",
 ];
-
-/// The checks of the exercises, which are tests.
-const CHECKS: &str = "tests/exercises/";
 
 /// The pages of the book, and their pictures.
 const BOOK: &str = "book/src/";
@@ -99,7 +102,9 @@ impl Handout {
             let is_built = match packages.of_file(path) {
                 _ if path.starts_with(BOOK) => pages.contains(&**path),
                 _ if path.starts_with(SHEETS) => chosen.len() == course.len(),
-                Some((package, inner)) => needed.contains(package) && is_built(inner),
+                Some((package, inner)) => {
+                    needed.contains(package) && BUILT.iter().any(|of| inner.starts_with(of))
+                }
                 None => ROOT.contains(&&**path),
             };
             if is_built {
@@ -120,9 +125,7 @@ impl Handout {
                 *bytes = without_packages(&String::from_utf8_lossy(bytes), &absent).into();
             }
         }
-        if let Some(config) = workbook.get_mut(".cargo/config.toml") {
-            *config = students_aliases(&String::from_utf8_lossy(config)).into();
-        }
+        workbook.insert(".cargo/config.toml".to_owned(), CONFIG.into());
         let last = chosen.last().map_or("", |e| e.stage);
         let readme = README.replace("{stage}", last);
         workbook.insert("README.md".to_owned(), readme.into());
@@ -143,11 +146,6 @@ fn paths() -> Result<Vec<String>, String> {
     let paths = output_of(git.current_dir(files::workspace()))?;
     let paths = String::from_utf8_lossy(&paths);
     Ok(paths.split_terminator('\0').map(str::to_owned).collect())
-}
-
-/// Whether exercises are built of a file of a package.
-fn is_built(path: &str) -> bool {
-    path.starts_with(CHECKS) || !NOT_BUILT.iter().any(|folder| path.starts_with(folder))
 }
 
 /// The pages of the stages that are handed out, of the open sheets behind the last one, the glossary, and the
@@ -208,20 +206,6 @@ fn without_packages(manifest: &str, absent: &[(&str, &str)]) -> String {
     text
 }
 
-/// The configuration of Cargo without the aliases of packages that are not handed out, and without
-/// comments.
-fn students_aliases(config: &str) -> String {
-    let mut text = String::new();
-    for line in config.lines() {
-        let is_others = line.contains("--package ") && !line.contains("--package learn ");
-        if !is_others && !line.starts_with('#') {
-            text += line;
-            text += "\n";
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -247,8 +231,5 @@ mod tests {
             assert!(!path.starts_with("common/course/"), "{path}");
             assert!(!path.contains("/exercises/others/"), "{path}");
         }
-        let aliases = String::from_utf8_lossy(&contents[".cargo/config.toml"]);
-        assert!(aliases.contains("--package learn"), "{aliases}");
-        assert!(!aliases.contains("--package course"), "{aliases}");
     }
 }

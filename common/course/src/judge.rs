@@ -122,6 +122,7 @@ fn wrong_answers(message: String, found: Verdict, answers: Vec<StudentAnswer>) -
         message,
         fraction: (compared - differ) as f64 / compared as f64,
         mistake: mistake.lines().next().unwrap_or_default().to_owned(),
+        pictures: Vec::new(),
         unnamed: if is_unnamed { answers } else { Vec::new() },
     }
 }

@@ -1,5 +1,7 @@
 //! `Outcome`: what became of an exercise or an open sheet in a submission.
 
+use std::path::PathBuf;
+
 use exercise::StudentAnswer;
 
 /// What is known about an exercise of a submission.
@@ -41,6 +43,8 @@ pub struct Outcome {
     pub fraction: f64,
     /// What is wrong, in one line, by which a table can be sorted.
     pub mistake: String,
+    /// The files of the pictures of a program.
+    pub pictures: Vec<PathBuf>,
     /// Wrong answers that no known mistake explains.
     pub unnamed: Vec<StudentAnswer>,
 }
@@ -54,6 +58,7 @@ impl Outcome {
             message: message.to_owned(),
             fraction: 0.0,
             mistake: first.to_owned(),
+            pictures: Vec::new(),
             unnamed: Vec::new(),
         }
     }
@@ -73,13 +78,13 @@ pub struct Judged {
     pub name: String,
     /// The student's file, or the folder of the program; empty if there is none.
     pub file: String,
-    /// The pictures that are kept, from the folder of the results.
-    pub pictures: Vec<String>,
     pub outcome: Outcome,
 }
 
 /// A student's submission, judged.
 pub struct Graded {
     pub name: String,
+    /// The name of its files in the folder of the results, which no other student has.
+    pub file_name: String,
     pub results: Vec<Judged>,
 }

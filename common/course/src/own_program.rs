@@ -5,22 +5,27 @@ mod manifest;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use ::sheet::Sheet;
 use common::text;
 use learn::files::with_path;
+use learn::sheet;
 
 use crate::grading_folder::{GradingFolder, output_of};
 use crate::handed_file::{Content, HandedFile};
 use crate::sandbox::{End, Ended, Limits, Place};
+use crate::sheet::empty;
 pub use manifest::MANIFEST;
 use manifest::manifest;
 
 /// The file that names the open sheets of a program.
 pub const SHEETS: &str = "sheet.txt";
+
+const NO_SHEETS: &str = "sheet.txt, which names the sheet";
 
 /// A program that does nothing.
 const EMPTY: &str = "fn main() {}\n";
@@ -30,95 +35,91 @@ const EMPTY: &str = "fn main() {}\n";
 pub struct OwnProgram {
     /// Its folder, from what the student has handed in.
     pub folder: String,
-    /// The names in `sheet.txt`.
-    pub sheets: Vec<String>,
     manifest: String,
     /// The texts of the files below `src`, by their paths.
     sources: BTreeMap<String, String>,
-    /// Why it cannot be judged.
-    pub problem: Option<String>,
 }
 
-/// The programs in a hand-in; if there is none because it cannot be read, one that says so.
-pub fn find(files: &[HandedFile]) -> Vec<OwnProgram> {
-    let folders = folders(files);
-    if !folders.is_empty() {
-        return folders
-            .iter()
-            .map(|folder| OwnProgram::new(files, folder))
-            .collect();
-    }
-    let unread = files.iter().find_map(|file| match &file.content {
-        Content::Problem(problem) => Some((file.shown(), problem.clone())),
-        _ => None,
-    });
-    let empty = files
-        .is_empty()
-        .then(|| (String::new(), "it is empty".to_owned()));
-    let program = unread.or(empty).map(|(folder, problem)| OwnProgram {
-        folder,
-        problem: Some(problem),
-        ..OwnProgram::default()
-    });
-    program.into_iter().collect()
-}
-
-/// The folders of programs, without those within another one.
-fn folders(files: &[HandedFile]) -> Vec<Vec<String>> {
-    let folders_of = |wanted: &str| -> BTreeSet<Vec<String>> {
-        let named = files
-            .iter()
-            .filter(|file| file.path.last().is_some_and(|name| name == wanted));
-        named
-            .map(|file| file.path[..file.path.len() - 1].to_vec())
-            .collect()
-    };
-    let with_sheets = folders_of(SHEETS);
-    let mut folders: Vec<_> = with_sheets.iter().cloned().collect();
-    for folder in folders_of(MANIFEST) {
-        let is_around =
-            |other: &Vec<String>| other.starts_with(&folder) || folder.starts_with(other);
-        if !folders.iter().any(is_around) {
-            folders.push(folder);
+/// The program that is handed in for a sheet; none if there is no trace of one. An error says why a person has to
+/// look.
+pub fn find(
+    files: &[HandedFile],
+    sheet: &Sheet,
+    all: &[Sheet],
+) -> Result<Option<OwnProgram>, String> {
+    let (mut programs, mut found) = (Vec::new(), Vec::new());
+    for file in files.iter().filter(|file| file.name() == SHEETS) {
+        let folder = file.folder();
+        programs.push(folder);
+        let Content::Text(names) = &file.content else {
+            continue;
+        };
+        for name in names.split_whitespace() {
+            let named = sheet::find(all, name);
+            let named = named.map_err(|problem| format!("{}: {problem}", file.shown()))?;
+            if named.name == sheet.name {
+                found.push(folder);
+            }
         }
     }
-    folders
+    found.dedup();
+    match found[..] {
+        [] => without_program(files, &programs),
+        [folder] => OwnProgram::new(files, folder).map(Some),
+        _ => Err(format!(
+            "there are {} programs for this sheet; hand in one",
+            found.len()
+        )),
+    }
+}
+
+/// An error if there may be a program in what is handed in. Some have folders with libraries of their own, or lie
+/// in one.
+fn without_program(
+    files: &[HandedFile],
+    programs: &[&[String]],
+) -> Result<Option<OwnProgram>, String> {
+    if files.is_empty() {
+        return Err("it is empty".to_owned());
+    }
+    for file in files {
+        if let Content::Problem(problem) = &file.content {
+            return Err(format!("{}: {problem}", file.shown()));
+        }
+        let folder = file.folder();
+        let is_around = |other: &&[String]| other.starts_with(folder) || folder.starts_with(other);
+        if file.name() == MANIFEST && !programs.iter().any(is_around) {
+            return Err(format!("{}: beside it is no {NO_SHEETS}", file.shown()));
+        }
+    }
+    Ok(None)
 }
 
 impl OwnProgram {
-    fn new(files: &[HandedFile], folder: &[String]) -> Self {
+    /// The program in a folder, in which all files can be read.
+    fn new(files: &[HandedFile], folder: &[String]) -> Result<Self, String> {
         let mut program = Self {
             folder: text::visible(&folder.join("/")),
             ..Self::default()
         };
-        let mut problems = Vec::new();
         for file in files {
             let Some(inner) = file.path.strip_prefix(folder) else {
                 continue;
             };
             let path = inner.join("/");
-            let is_source = inner.first().is_some_and(|first| first == "src");
             match &file.content {
+                Content::Problem(problem) => return Err(format!("{}: {problem}", file.shown())),
                 Content::Text(text) if path == MANIFEST => program.manifest.clone_from(text),
-                Content::Text(text) if path == SHEETS => {
-                    program.sheets = text.split_whitespace().map(str::to_owned).collect();
-                }
-                Content::Text(text) if is_source => {
+                Content::Text(text) if path.starts_with("src/") => {
                     program.sources.insert(path, text.clone());
                 }
-                Content::Problem(problem) => problems.push(format!("{path}: {problem}")),
                 _ => {}
             }
         }
-        let lacks = |name: &str| format!("it has no {name}");
         if program.manifest.is_empty() {
-            problems.push(lacks(MANIFEST));
+            return Err(format!("{}: it has no {MANIFEST}", program.folder));
         }
-        if program.sheets.is_empty() {
-            problems.push(lacks("sheet.txt, which names the sheet"));
-        }
-        program.problem = problems.into_iter().next();
-        program
+        Ok(program)
     }
 
     /// Builds the program in the grading folder. An error is a problem of its manifest, or of the grader.
@@ -146,10 +147,7 @@ fn build(
     limits: Limits,
 ) -> Result<Ended, String> {
     let root = folder.sandbox.folder.join("program");
-    // Nothing of the one before remains.
-    if root.exists() {
-        fs::remove_dir_all(&root).map_err(with_path(&root))?;
-    }
+    empty(&root)?;
     let write = |path: &str, bytes: &[u8]| {
         let file = root.join(path);
         let folder = file.parent().unwrap_or(Path::new(""));

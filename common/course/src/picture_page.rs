@@ -1,6 +1,8 @@
 //! A page with all pictures of a class, by sheets and students.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::Path;
 
 use crate::outcome::Graded;
 
@@ -16,44 +18,34 @@ img { height: 12rem }
 <h1>Pictures of the class</h1>
 ";
 
-/// The page; none if no picture is kept.
-pub fn page(graded: &[Graded]) -> Option<String> {
-    let results = graded.iter().flat_map(|student| &student.results);
-    let mut sheets = Vec::new();
-    for judged in results {
-        if !judged.pictures.is_empty() && !sheets.contains(&&judged.name) {
-            sheets.push(&judged.name);
+/// The page for the folder of the results; none if there is no picture.
+pub fn page(folder: &Path, graded: &[Graded]) -> Option<String> {
+    let mut sheets = BTreeMap::<_, Vec<_>>::new();
+    for student in graded {
+        for judged in &student.results {
+            if !judged.outcome.pictures.is_empty() {
+                let of_sheet = sheets.entry(&judged.name).or_default();
+                of_sheet.push((&student.name, &judged.outcome));
+            }
         }
     }
     if sheets.is_empty() {
         return None;
     }
     let mut page = BEGINNING.to_owned();
-    for sheet in sheets {
-        let _ = writeln!(page, "<h2>{}</h2>", escaped(sheet));
-        for student in graded {
-            for judged in student
-                .results
-                .iter()
-                .filter(|judged| judged.name == *sheet)
-            {
-                let first = judged
-                    .outcome
-                    .message
-                    .lines()
-                    .next()
-                    .unwrap_or("all facts hold");
-                let (name, first) = (escaped(&student.name), escaped(first));
-                let state = judged.outcome.state.words();
-                let _ = writeln!(page, "<h3>{name}</h3>\n<p>{state}: {first}</p>");
-                for path in &judged.pictures {
-                    let (_, file) = path.rsplit_once('/').unwrap_or_default();
-                    let (path, file) = (url(path), escaped(file));
-                    let _ = writeln!(
-                        page,
-                        "<figure><img src=\"{path}\" alt=\"\" loading=\"lazy\"><figcaption>{file}</figcaption></figure>"
-                    );
-                }
+    for (sheet, programs) in sheets {
+        let _ = writeln!(page, "<h2>{sheet}</h2>");
+        for (student, outcome) in programs {
+            let (name, mistake) = (escaped(student), escaped(&outcome.mistake));
+            let count = outcome.message.lines().next().unwrap_or_default();
+            let _ = writeln!(page, "<h3>{name}</h3>\n<p>{count}</p>\n<p>{mistake}</p>");
+            for path in &outcome.pictures {
+                let path = path.strip_prefix(folder).unwrap_or(path).to_string_lossy();
+                let (_, file) = path.rsplit_once('/').unwrap_or_default();
+                let _ = writeln!(
+                    page,
+                    "<figure><img src=\"{path}\" alt=\"\" loading=\"lazy\"><figcaption>{file}</figcaption></figure>"
+                );
             }
         }
     }
@@ -61,19 +53,5 @@ pub fn page(graded: &[Graded]) -> Option<String> {
 }
 
 fn escaped(text: &str) -> String {
-    let text = text.replace('&', "&amp;").replace('<', "&lt;");
-    text.replace('"', "&quot;")
-}
-
-/// A path as an address.
-fn url(path: &str) -> String {
-    let mut url = String::new();
-    for byte in path.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-_./".contains(&byte) {
-            url.push(byte.into());
-        } else {
-            let _ = write!(url, "%{byte:02X}");
-        }
-    }
-    url
+    text.replace('&', "&amp;").replace('<', "&lt;")
 }

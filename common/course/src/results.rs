@@ -1,6 +1,5 @@
 //! The results: a table of all students, for people and for programs, and a text for each student.
 
-use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -40,28 +39,14 @@ pub fn write(folder: &Path, graded: &[Graded]) -> Result<(), String> {
     write("results.csv", csv(&table).as_bytes())?;
     let sheet = spreadsheet(&table, RIGHT_ANSWERS).map_err(|error| error.to_string())?;
     write("results.xlsx", &sheet)?;
-    if let Some(page) = page(graded) {
+    if let Some(page) = page(folder, graded) {
         write("pictures.html", page.as_bytes())?;
     }
-    let mut taken = BTreeSet::new();
     for student in graded {
-        let mut name = file_name(&student.name);
-        while !taken.insert(name.to_lowercase()) {
-            name.push('_');
-        }
-        write(&format!("{name}.txt"), text(student).as_bytes())?;
+        let name = format!("{}.txt", student.file_name);
+        write(&name, text(student).as_bytes())?;
     }
     Ok(())
-}
-
-/// A name for a file, which is in no other folder.
-pub fn file_name(name: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || " -_().,".contains(c);
-    let name: String = name
-        .chars()
-        .map(|c| if is_plain(c) { c } else { '_' })
-        .collect();
-    name.trim_start_matches('.').to_owned()
 }
 
 /// What a student reads: a line for each exercise, and the messages.
@@ -75,14 +60,12 @@ pub fn text(student: &Graded) -> String {
         }
     }
     let mut text = format!("{}: {}\n", student.name, counts.join(", "));
-    for judged in &student.results {
-        let Judged {
-            name,
-            file,
-            outcome,
-            ..
-        } = judged;
-        let _ = write!(text, "  {name}: {}", outcome.state.words());
+    // What is said about several exercises, such as that a zip file does not open, is said once.
+    let is_same = |a: &Judged, b: &Judged| a.file == b.file && a.outcome == b.outcome;
+    for judged in student.results.chunk_by(is_same) {
+        let names: Vec<_> = judged.iter().map(|judged| &*judged.name).collect();
+        let Judged { file, outcome, .. } = &judged[0];
+        let _ = write!(text, "  {}: {}", names.join(", "), outcome.state.words());
         if !file.is_empty() {
             let _ = write!(text, ", {file}");
         }
@@ -156,35 +139,34 @@ mod tests {
             mistake: "=1+1".to_owned(),
             ..Outcome::without_answers(State::Wrong, "a \"b\"\nc\u{1b}")
         };
-        let judged = Judged {
+        let judged = |name: &str, file: &str, outcome| Judged {
             stage: "a04-intersections",
-            name: "sphere".to_owned(),
-            file: "sphere.rs".to_owned(),
-            pictures: Vec::new(),
+            name: name.to_owned(),
+            file: file.to_owned(),
             outcome,
         };
-        let student = |results| Graded {
-            name: "../Ada".to_owned(),
-            results,
-        };
-        let graded = [student(vec![judged]), student(Vec::new())];
-        let row = "\"../Ada\",\"a04-intersections\",\"sphere\",\"wrong\",\"0.99\",\"'=1+1\",\
+        let absent = Outcome::without_answers(State::NotHandedIn, "");
+        let graded = [Graded {
+            name: "Ada B.".to_owned(),
+            file_name: "ada".to_owned(),
+            results: vec![
+                judged("plane", "", absent.clone()),
+                judged("torus", "", absent),
+                judged("sphere", "sphere.rs", outcome),
+            ],
+        }];
+        let row = "\"Ada B.\",\"a04-intersections\",\"sphere\",\"wrong\",\"0.99\",\"'=1+1\",\
                    \"sphere.rs\",\"a \"\"b\"\"\nc \"\r\n";
-        let csv = csv(&table(&graded));
-        assert!(csv.ends_with(row), "{csv}");
-        let text = "../Ada: 1 wrong\n  sphere: wrong, sphere.rs\n      a \"b\"\n      c \n";
-        assert_eq!(super::text(&graded[0]), text);
-
         let folder = tempfile::tempdir().unwrap();
         write(folder.path(), &graded).unwrap();
-        let mut names = Vec::new();
-        for entry in fs::read_dir(folder.path()).unwrap() {
-            names.push(entry.unwrap().file_name().into_string().unwrap());
-        }
-        names.sort();
+        let csv = fs::read_to_string(folder.path().join("results.csv")).unwrap();
+        assert!(csv.ends_with(row), "{csv}");
+        let text = "Ada B.: 1 wrong, 2 not handed in\n  plane, torus: not handed in\n  \
+                    sphere: wrong, sphere.rs\n      a \"b\"\n      c \n";
         assert_eq!(
-            names,
-            ["_Ada.txt", "_Ada_.txt", "results.csv", "results.xlsx"]
+            fs::read_to_string(folder.path().join("ada.txt")).unwrap(),
+            text
         );
+        assert!(folder.path().join("results.xlsx").exists());
     }
 }

@@ -1,112 +1,82 @@
 //! Judges programs by the pictures that they draw for open sheets, each run in the sandbox.
 
 use std::fs;
-use std::io;
 use std::path::Path;
 use std::time::Instant;
 
-use ::sheet::{Drawn, Facts, Judgement, Picture, Run, Sheet, last_words, no_picture};
+use ::sheet::{Drawn, Facts, MARKED, Picture, Run, Sheet, last_words, no_picture};
 use learn::files::with_path;
 use learn::sheet::{find, read_all};
 
+use crate::collected::Student;
 use crate::grading_folder::GradingFolder;
+use crate::handed_file::HandedFile;
 use crate::outcome::{Judged, Outcome, State};
-use crate::own_program::OwnProgram;
-use crate::results::file_name;
+use crate::own_program::{self, OwnProgram};
 use crate::sandbox::{End, Limits, Place, Sandbox};
 
 /// The sheets of these names.
 pub fn chosen(names: &[String]) -> Result<Vec<Sheet>, String> {
-    let mut sheets = Vec::new();
+    let all = read_all()?;
     for name in names {
-        find(&read_all()?, name)?;
-        sheets.extend(read_all()?.into_iter().filter(|sheet| sheet.name == *name));
+        find(&all, name)?;
     }
-    Ok(sheets)
+    Ok(all
+        .into_iter()
+        .filter(|sheet| names.contains(&sheet.name))
+        .collect())
 }
 
-/// Judges the programs of a student. Their pictures are kept in the folder of the results.
+/// Judges the programs that a student has handed in for sheets. Their pictures are kept in the folder of the results.
 pub fn judge_all(
-    student: &str,
-    programs: &[OwnProgram],
+    student: &Student,
+    files: &[HandedFile],
     sheets: &[Sheet],
     folder: &GradingFolder,
     output: Option<&Path>,
-) -> Vec<Judged> {
+) -> Result<Vec<Judged>, String> {
+    let all = read_all()?;
+    let not_kept = folder.sandbox.folder.join("kept");
     let mut results = Vec::new();
     for sheet in sheets {
-        let kept = match output {
-            Some(output) => output
-                .join("pictures")
-                .join(file_name(student))
-                .join(&sheet.name),
-            None => folder.sandbox.folder.join("kept"),
+        let found = own_program::find(files, sheet, &all);
+        let (file, outcome) = match found {
+            Ok(None) => (
+                String::new(),
+                Outcome::without_answers(State::NotHandedIn, ""),
+            ),
+            Ok(Some(program)) => {
+                let root = output.unwrap_or(&not_kept);
+                let inner = format!("pictures/{}/{}", student.file_name, sheet.name);
+                let judged = judge_program(&program, sheet, folder, &root.join(inner));
+                let mut outcome = judged.unwrap_or_else(|fault| {
+                    eprintln!("{}: {fault}", program.folder);
+                    needs_a_look(&folder.sandbox.without_place(&fault))
+                });
+                if output.is_some() {
+                    let root = format!("{}/", root.display());
+                    outcome.message = outcome.message.replace(&root, "");
+                }
+                (program.folder, outcome)
+            }
+            Err(why) => (String::new(), needs_a_look(&why)),
         };
-        results.push(judge_sheet(programs, sheet, folder, &kept, output));
+        results.push(Judged {
+            stage: "sheet",
+            name: sheet.name.clone(),
+            file,
+            outcome,
+        });
     }
-    results
+    Ok(results)
 }
 
-/// Judges the program that a student has handed in for a sheet.
-fn judge_sheet(
-    programs: &[OwnProgram],
-    sheet: &Sheet,
-    folder: &GradingFolder,
-    kept: &Path,
-    output: Option<&Path>,
-) -> Judged {
-    let mut judged = Judged {
-        stage: "sheet",
-        name: sheet.name.clone(),
-        file: String::new(),
-        pictures: Vec::new(),
-        outcome: Outcome::without_answers(State::NotHandedIn, ""),
-    };
-    let is_for =
-        |program: &&OwnProgram| program.sheets.contains(&sheet.name) || program.problem.is_some();
-    let needs_a_look = |why: &str| Outcome::without_answers(State::NeedsALook, why);
-    let mut found = programs.iter().filter(is_for);
-    let Some(program) = found.next() else {
-        return judged;
-    };
-    judged.file.clone_from(&program.folder);
-    let others = found.count();
-    judged.outcome = if let Some(problem) = &program.problem {
-        needs_a_look(problem)
-    } else if others > 0 {
-        needs_a_look(&format!(
-            "there are {} programs for this sheet; hand in one",
-            others + 1
-        ))
-    } else {
-        judge_program(program, sheet, folder, kept).unwrap_or_else(|fault| {
-            eprintln!("{}: {fault}", program.folder);
-            needs_a_look(&folder.sandbox.without_place(&fault))
-        })
-    };
-    if let Some(output) = output {
-        judged.outcome.message = judged
-            .outcome
-            .message
-            .replace(&format!("{}/", output.display()), "");
-        judged.pictures = pictures_in(kept, output);
-    }
-    judged
+fn needs_a_look(why: &str) -> Outcome {
+    Outcome::without_answers(State::NeedsALook, why)
 }
 
-/// The paths of kept pictures, from the folder of the results.
-fn pictures_in(kept: &Path, output: &Path) -> Vec<String> {
-    let mut paths = Vec::new();
-    for entry in fs::read_dir(kept).into_iter().flatten().flatten() {
-        let path = entry.path();
-        let path = path.strip_prefix(output).unwrap_or(&path);
-        paths.push(path.to_string_lossy().into_owned());
-    }
-    paths.sort();
-    paths
-}
-
-/// Builds a program, and asks its pictures all facts. An error is a fault of the grader, or needs a look.
+/// Builds a program, and asks its pictures all facts. They are kept in a folder. An error is a fault of the grader,
+/// or needs a look.
 fn judge_program(
     program: &OwnProgram,
     sheet: &Sheet,
@@ -115,10 +85,6 @@ fn judge_program(
 ) -> Result<Outcome, String> {
     let _lock = folder.lock()?;
     let sandbox = &folder.sandbox;
-    if kept.exists() {
-        fs::remove_dir_all(kept).map_err(with_path(kept))?;
-    }
-    fs::create_dir_all(kept).map_err(with_path(kept))?;
     let built = program.build(folder)?;
     let words = sandbox.words(&built, "does not compile");
     match built.end {
@@ -128,21 +94,22 @@ fn judge_program(
         _ => return Ok(Outcome::without_answers(State::Wrong, &words)),
     }
     let executable = learn::find_program(&built.output, "bin")?;
+    empty(kept)?;
+    let mut pictures = Vec::new();
     let mut fault = None;
     let judgement = ::sheet::judge(sheet, Facts::All, &mut |picture, run| {
-        let drawn = draw(sandbox, &executable, picture, run, kept);
-        drawn.unwrap_or_else(|error| {
+        let drawn = draw(sandbox, &executable, picture, run, kept).unwrap_or_else(|error| {
             fault = Some(error.clone());
             Err(error)
-        })
+        })?;
+        pictures.push(drawn.file.clone());
+        Ok(drawn)
     });
     if let Some(fault) = fault {
         return Err(format!("the grader fails: {fault}"));
     }
-    Ok(outcome(&judgement, sandbox))
-}
-
-fn outcome(judgement: &Judgement, sandbox: &Sandbox) -> Outcome {
+    let marked = pictures.iter().map(|file| file.with_extension(MARKED));
+    let marked: Vec<_> = marked.filter(|file| file.exists()).collect();
     let (passed, all) = (judgement.passed(), judgement.states.len());
     let state = if passed == all {
         State::Right
@@ -150,13 +117,22 @@ fn outcome(judgement: &Judgement, sandbox: &Sandbox) -> Outcome {
         State::Wrong
     };
     let report = sandbox.without_place(&judgement.report());
-    Outcome {
+    Ok(Outcome {
         state,
         message: format!("{passed} of {all} facts hold\n{report}"),
         fraction: passed as f64 / all as f64,
         mistake: judgement.mistake(),
+        pictures: [pictures, marked].concat(),
         unnamed: Vec::new(),
+    })
+}
+
+/// An empty folder, in which nothing of an earlier program is.
+pub fn empty(folder: &Path) -> Result<(), String> {
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(with_path(folder))?;
     }
+    fs::create_dir_all(folder).map_err(with_path(folder))
 }
 
 /// Draws a picture. The outer error is a fault of the grader, the inner one a sentence about the program.
@@ -167,14 +143,6 @@ fn draw(
     run: &Run,
     kept: &Path,
 ) -> Result<Result<Drawn, String>, String> {
-    // The program may write here what it wants: only a plain file of the right name is taken, and nothing stays.
-    let inbox = sandbox.folder.join("pictures");
-    if inbox.exists() {
-        fs::remove_dir_all(&inbox).map_err(with_path(&inbox))?;
-    }
-    fs::create_dir_all(&inbox).map_err(with_path(&inbox))?;
-    open_to_everybody(&inbox).map_err(with_path(&inbox))?;
-
     let (samples, file) = (run.samples.to_string(), run.file());
     let output = format!("../pictures/{file}");
     let words = [executable, &run.scene, "--samples", &samples, "-o", &output];
@@ -189,26 +157,14 @@ fn draw(
         }
         _ => return Ok(Err(last_words(&sandbox.without_place(&ended.output)))),
     }
-    let drawn = inbox.join(&file);
+    // The program may write there what it wants: only a plain file of the right name is taken.
+    let drawn = sandbox.folder.join("pictures").join(&file);
     if !fs::symlink_metadata(&drawn).is_ok_and(|file| file.is_file()) {
         return Ok(Err(no_picture(None)));
     }
     let file = kept.join(&file);
     fs::copy(&drawn, &file).map_err(with_path(&drawn))?;
     Ok(Ok(Drawn { file, seconds }))
-}
-
-/// In the sandbox a program runs as nobody.
-#[cfg(unix)]
-fn open_to_everybody(folder: &Path) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-
-    fs::set_permissions(folder, fs::Permissions::from_mode(0o777))
-}
-
-#[cfg(not(unix))]
-fn open_to_everybody(_: &Path) -> io::Result<()> {
-    Ok(())
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -7,8 +7,8 @@ const MANIFEST_OF_ADA: &str = "[package]\nname = \"ada\"\nedition = \"2021\"\nbu
     [dependencies]\nlibm = \"0.2.1\"\ncommon = { path = \"/home/ada/common\" }\n\
     rand = { version = \"0.9\", default-features = false, features = [\"std\"] }\n";
 
-/// The programs of a student: folders, sheets and problems.
-fn found(files: &[(&str, &str)]) -> Vec<String> {
+/// The folder of the program that a student has handed in for the sheet `glass`, or why there is none.
+fn found(files: &[(&str, &str)]) -> String {
     let folder = tempfile::tempdir().unwrap();
     let ada = folder.path().join("ada");
     fs::create_dir(&ada).unwrap();
@@ -17,40 +17,49 @@ fn found(files: &[(&str, &str)]) -> Vec<String> {
         fs::create_dir_all(file.parent().unwrap()).unwrap();
         fs::write(file, text).unwrap();
     }
-    let mut lines = Vec::new();
-    for program in find(&files_in(&ada)) {
-        let problem = program.problem.unwrap_or_default();
-        let (folder, sheets) = (program.folder, program.sheets.join(" "));
-        lines.push(format!("{folder}|{sheets}|{problem}"));
+    let all = sheet::read_all().unwrap();
+    let glass = sheet::find(&all, "glass").unwrap();
+    match find(&files_in(&ada), glass, &all) {
+        Ok(program) => program.map_or("-".to_owned(), |program| program.folder),
+        Err(why) => why,
     }
-    lines
 }
 
 #[test]
 fn programs_are_found_by_their_files() {
-    let of_two = [
-        ("my-tracer/Cargo.toml", MANIFEST_OF_ADA),
-        ("my-tracer/sheet.txt", "glass\nlens\n"),
-        ("my-tracer/src/main.rs", EMPTY),
-        ("my-tracer/own-library/Cargo.toml", MANIFEST_OF_ADA),
-        ("other/Cargo.toml", MANIFEST_OF_ADA),
-    ];
-    assert_eq!(
-        found(&of_two),
-        [
-            "ada/my-tracer|glass lens|",
-            "ada/other||it has no sheet.txt, which names the sheet",
-        ]
-    );
-    let here = [("sheet.txt", "glass")];
-    assert_eq!(found(&here), ["ada|glass|it has no Cargo.toml"]);
-    let broken = [("ada.zip", "text")];
-    assert_eq!(
-        found(&broken),
-        ["ada/ada.zip||it is no zip file, or a damaged one"]
-    );
-    assert_eq!(found(&[]), ["||it is empty"]);
-    assert_eq!(found(&[("report.pdf", "pdf")]), [""; 0]);
+    let two = "my-tracer/sheet.txt";
+    let program = ("my-tracer/Cargo.toml", MANIFEST_OF_ADA);
+    let library = ("my-tracer/library/Cargo.toml", MANIFEST_OF_ADA);
+    let other = ("other/Cargo.toml", MANIFEST_OF_ADA);
+    let other_sheet = ("other/sheet.txt", "glass");
+    for (files, is_found) in [
+        (
+            &[program, library, other, (two, "lens\nglass")][..],
+            "ada/my-tracer",
+        ),
+        (
+            &[program, other, (two, "lens")],
+            "ada/other/Cargo.toml: beside it is no sheet.txt, which names the sheet",
+        ),
+        (&[program, library, (two, "lens")], "-"),
+        (
+            &[program, (two, "glass"), other, other_sheet],
+            "there are 2 programs for this sheet; hand in one",
+        ),
+        (
+            &[program, (two, "lens glas")],
+            "ada/my-tracer/sheet.txt: no sheet is called glas; the nearest is glass",
+        ),
+        (&[("sheet.txt", "glass")], "ada: it has no Cargo.toml"),
+        (
+            &[("ada.zip", "text")],
+            "ada/ada.zip: it is no zip file, or a damaged one",
+        ),
+        (&[], "it is empty"),
+        (&[("report.pdf", "pdf")], "-"),
+    ] {
+        assert_eq!(found(files), is_found);
+    }
 }
 
 #[test]
