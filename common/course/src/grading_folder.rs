@@ -47,9 +47,9 @@ impl GradingFolder {
         }
         let lock = folder.lock()?;
         update(&root, &workbook_to_grade(course)?).map_err(with_path(&root))?;
-        // Cargo forgets the packages that the handout does not need.
+        // In the sandbox, Cargo downloads nothing.
         let mut cargo = Command::new("cargo");
-        cargo.args(["update", "--workspace", "--offline", "--quiet"]);
+        cargo.args(["fetch", "--quiet", "--target", "host-tuple"]);
         output_of(cargo.current_dir(&root))?;
         for e in exercises.chunk_by(|a, b| a.stage == b.stage) {
             if let Some(fault) = folder.fault(e[0])? {
