@@ -38,7 +38,7 @@ pub fn page(folder: &Path, graded: &[Graded]) -> Option<String> {
         for (student, outcome) in programs {
             let (name, mistake) = (escaped(student), escaped(&outcome.mistake));
             let count = outcome.message.lines().next().unwrap_or_default();
-            let _ = writeln!(page, "<h3>{name}</h3>\n<p>{count}</p>\n<p>{mistake}</p>");
+            let _ = writeln!(page, "<h3>{name}</h3>\n<p>{count}<br>{mistake}</p>");
             for path in &outcome.pictures {
                 let path = path.strip_prefix(folder).unwrap_or(path).to_string_lossy();
                 let (_, file) = path.rsplit_once('/').unwrap_or_default();

@@ -1,5 +1,6 @@
 //! Judges programs by the pictures that they draw for open sheets, each run in the sandbox.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
@@ -95,34 +96,42 @@ fn judge_program(
     }
     let executable = learn::find_program(&built.output, "bin")?;
     empty(kept)?;
-    let mut pictures = Vec::new();
+    // By scene and samples.
+    let mut pictures = BTreeMap::new();
     let mut fault = None;
     let judgement = ::sheet::judge(sheet, Facts::All, &mut |picture, run| {
         let drawn = draw(sandbox, &executable, picture, run, kept).unwrap_or_else(|error| {
             fault = Some(error.clone());
             Err(error)
         })?;
-        pictures.push(drawn.file.clone());
+        pictures.insert(run.clone(), drawn.file.clone());
         Ok(drawn)
     });
     if let Some(fault) = fault {
         return Err(format!("the grader fails: {fault}"));
     }
-    let marked = pictures.iter().map(|file| file.with_extension(MARKED));
-    let marked: Vec<_> = marked.filter(|file| file.exists()).collect();
     let (passed, all) = (judgement.passed(), judgement.states.len());
     let state = if passed == all {
         State::Right
     } else {
         State::Wrong
     };
+    // The report marks a region in some of them.
     let report = sandbox.without_place(&judgement.report());
+    let mut files = Vec::new();
+    for file in pictures.into_values() {
+        let marked = file.with_extension(MARKED);
+        files.push(file);
+        if marked.exists() {
+            files.push(marked);
+        }
+    }
     Ok(Outcome {
         state,
         message: format!("{passed} of {all} facts hold\n{report}"),
         fraction: passed as f64 / all as f64,
         mistake: judgement.mistake(),
-        pictures: [pictures, marked].concat(),
+        pictures: files,
         unnamed: Vec::new(),
     })
 }
