@@ -28,7 +28,7 @@ const PARTS: [(&str, &str); 4] = [
         "xl/workbook.xml",
         r#"<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships">
-<sheets><sheet name="results" sheetId="1" r:id="rId1"/></sheets></workbook>"#,
+<bookViews><workbookView/></bookViews><sheets><sheet name="results" sheetId="1" r:id="rId1"/></sheets></workbook>"#,
     ),
     (
         "xl/_rels/workbook.xml.rels",
@@ -38,6 +38,13 @@ xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships">
     ),
 ];
 
+/// The sheet begins with names of columns that stay in view.
+const SHEET: &str = r#"<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main">
+<sheetViews><sheetView workbookViewId="0"><pane ySplit="1" topLeftCell="A2" state="frozen"/></sheetView></sheetViews>
+<sheetFormatPr defaultColWidth="20" defaultRowHeight="15"/>
+<sheetData>
+"#;
+
 const DECLARATION: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>\n";
 
 /// The bytes of a spreadsheet. All cells are text, which nothing computes, but for the numbers in one column.
@@ -45,10 +52,7 @@ pub fn spreadsheet<const N: usize>(
     rows: &[[String; N]],
     of_numbers: usize,
 ) -> Result<Vec<u8>, ZipError> {
-    let mut sheet =
-        "<worksheet xmlns=\"http://schemas.openxmlformats.org/spreadsheetml/2006/main\">\
-        <sheetData>\n"
-            .to_owned();
+    let mut sheet = SHEET.to_owned();
     for (number, row) in (1..).zip(rows) {
         let _ = write!(sheet, "<row r=\"{number}\">");
         for (column, (letter, cell)) in ('A'..='Z').zip(row).enumerate() {
