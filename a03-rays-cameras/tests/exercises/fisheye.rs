@@ -21,12 +21,7 @@ pub fn exercise() -> Exercise<Code> {
             let camera = new(([1.0, 2.0, 3.0], [0.0, 0.3, -1.0], PI))?;
             render(&*camera, globe, settings, &())
         }),
-        ..cameras(Cameras {
-            words: "eye {}, gaze {}, field of view {}",
-            first: ([0.0; 3], [0.0, 0.0, -1.0], PI),
-            further: vec![],
-            any: |r| (r.triple(9.0), r.triple(3.0), r.between(0.5, 6.0)),
-        })
+        ..cameras()
     }
 }
 

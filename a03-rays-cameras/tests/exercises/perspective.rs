@@ -11,26 +11,10 @@ yours! {
 /// Makes a camera of eye, gaze and up vector, and an angle.
 type Code = NewCamera<([[f64; 3]; 3], f64)>;
 
-const AHEAD: [[f64; 3]; 3] = [[0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
-
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: Picture::own(floor),
-        ..cameras(Cameras {
-            words: "eye, gaze and up {}, field of view {}",
-            first: (AHEAD, FRAC_PI_2),
-            further: vec![
-                ([[0.0; 3], [0.0, 0.0, -1.0], [0.0, 2.0, 1.0]], 1.0),
-                ([[1.0, 2.0, 3.0], [0.0, 1.0, -1.0], [0.0, 1.0, 0.0]], 1.0),
-                ([[0.0; 3], [0.0, 0.0, -1e-18], [0.0, 1e-18, 0.0]], 1.0),
-                ([[0.0; 3], [0.0, 0.0, -1e18], [0.0, 1e18, 0.0]], 1.0),
-                ([[0.0; 3], [0.0, 0.0, -1.0], [0.0, 1e-3, 1.0]], 1.0),
-                ([[0.0; 3], [0.0, 0.0, -1.0], [0.0, 1e-6, 1.0]], 1.0),
-                ([[1e-3; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]], 1e-6),
-                (AHEAD, 3.125),
-            ],
-            any: |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.2, 2.8)),
-        })
+        ..cameras()
     }
 }
 

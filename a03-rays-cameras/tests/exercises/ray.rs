@@ -13,31 +13,12 @@ pub struct Code {
 }
 
 pub fn exercise() -> Exercise<Code> {
-    let rays = Questions {
-        words: "ray from {} along {}, t = {}, point {}",
-        simple: vec![
-            ([0.0; 3], [0.0, 0.0, -2.0], 3.0, [0.0, 0.0, -8.0]),
-            ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], -1.0, [5.0, 4.0, 0.0]),
-            ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], 0.0, [-1.0, 2.0, 3.0]),
-            ([1.0, 2.0, 0.0], [1e-18, 0.0, 0.0], 2e18, [5.0, 4.0, 0.0]),
-            ([1.0, 2.0, 0.0], [1e18, 0.0, 0.0], 2e-18, [5.0, 4.0, 0.0]),
-            ([0.0; 3], [0.0, 0.0, -2.0], 1e-12, [0.0, 0.0, -2e-12]),
-            ([0.0; 3], [0.0, 0.0, -2.0], -1e-6, [0.0, 0.0, 2e-6]),
-            ([0.0; 3], [0.0, 0.0, -2.0], 1e6, [1e6, 0.0, -2e6]),
-        ],
-        others: random(|r| {
-            let (o, d, length, p) = (r.triple(9.0), r.triple(5.0), r.scale(), r.triple(9.0));
-            (o, d.map(|x| x * length), r.between(-9.0, 9.0), p)
-        }),
-        answer: |code: &Code, (o, d, t, p)| {
+    Exercise {
+        picture: Picture::own(points_and_feet),
+        ..Exercise::asked(|code: &Code, (o, d, t, p)| {
             let ray = Ray::derived(point(o), vector(d));
             Answer::named("at", array((code.at)(&ray, t))).and("t_of", (code.t_of)(&ray, point(p)))
-        },
-    };
-    Exercise {
-        questions: rays.into(),
-        picture: Picture::own(points_and_feet),
-        ..Exercise::default()
+        })
     }
 }
 

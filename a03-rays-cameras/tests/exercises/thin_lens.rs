@@ -7,32 +7,16 @@ yours! { through_lens }
 type Code = fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
 
 pub fn exercise() -> Exercise<Code> {
-    let (eye, gaze) = ([0.0; 3], [0.0, 0.0, -1.0]);
-    let rays = Questions {
-        words: "eye {}, gaze {}, focus {}, ray through {} of 5 by 3 pixels, place {} of the lens",
-        simple: vec![
-            (eye, gaze, 2.0, [4.0, 1.0], [0.0, 0.0]),
-            (eye, gaze, 2.0, [4.0, 1.0], [1.0, 0.0]),
-            (eye, gaze, 2.0, [4.0, 1.0], [0.0, 1.0]),
-            (eye, gaze, 1e-3, [4.0, 1.0], [1.0, 0.0]),
-            (eye, gaze, 1e6, [4.0, 1.0], [1.0, 0.0]),
-        ],
-        others: random(|r| {
-            let (focus, on_lens) = (r.between(0.1, 20.0), [(); 2].map(|()| r.between(-0.5, 0.5)));
-            let pixel = [r.between(-0.5, 4.5), r.between(-0.5, 2.5)];
-            (r.triple(9.0), r.triple(3.0), focus, pixel, on_lens)
-        }),
-        answer: |through: &Code, (eye, gaze, focus, [x, y], [right, up])| {
-            let camera = camera(eye, gaze).ok()?;
-            let ray = camera.ray_for(Size::new(5, 3).ok()?, x, y);
-            let ray = through(&camera.basis(), focus, &ray, (right, up));
-            Some(ray_answer(&ray))
-        },
-    };
     Exercise {
-        questions: rays.into(),
         picture: Picture::own(walls),
-        ..Exercise::default()
+        ..Exercise::asked(
+            |through: &Code, (eye, gaze, focus, [x, y], [right, up]): (_, _, _, [_; 2], [_; 2])| {
+                let camera = camera(eye, gaze).ok()?;
+                let ray = camera.ray_for(Size::new(5, 3).ok()?, x, y);
+                let ray = through(&camera.basis(), focus, &ray, (right, up));
+                Some(ray_answer(&ray))
+            },
+        )
     }
 }
 

@@ -14,24 +14,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown((1.0, 2.0), eye),
-        ..shapes(Shapes {
-            words: "tube of radius {} and height {}",
-            first: (1.0, 2.0),
-            further: vec![(2.0, 0.5)],
-            on_surface: vec![[1.0, 1.0, 0.0], [0.0, 0.5, -1.0], [0.0, 2.0, 1.0]],
-            own_rays: [
-                of_sizes(|size| (size, 2.0 * size)),
-                beside(
-                    &(1.0, 2.0),
-                    &[
-                        ([0.0, 2.0, 1.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
-                        ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]),
-                    ],
-                ),
-            ]
-            .concat(),
-            middle: |(_, height)| [0.0, height / 2.0, 0.0],
-            any: |r| (r.between(0.1, 5.0), r.between(0.1, 9.0)),
-        })
+        ..shapes()
     }
 }

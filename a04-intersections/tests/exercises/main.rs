@@ -12,7 +12,6 @@ mod prelude {
     pub use a04_intersections::scenes::*;
     pub use a04_intersections::*;
     pub use a04_kinds::boxes::*;
-    pub use a04_kinds::rays::*;
     pub use a04_kinds::shape::*;
     pub use a04_kinds::shown::*;
     pub use common::*;

@@ -13,6 +13,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown(([-0.3, 0.1, -0.7], [0.4, 1.2, 0.6]), eye),
-        ..shapes(boxes())
+        ..shapes()
     }
 }

@@ -14,15 +14,6 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown((2.0, 0.5), eye),
-        ..shapes(Shapes {
-            words: "circle of radius {}, tube of radius {}",
-            // No simple ray just touches it: a right march may pass over that point.
-            first: (2.0, 0.75),
-            further: vec![],
-            on_surface: vec![],
-            own_rays: of_sizes(|size| (2.0 * size, 0.75 * size)),
-            middle: |(ring, _)| [*ring, 0.0, 0.0],
-            any: |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
-        })
+        ..shapes()
     }
 }

@@ -8,17 +8,5 @@ yours! { images }
 type Code = fn(f64, f64, u32) -> [f64; 2];
 
 pub fn exercise() -> Exercise<Code> {
-    let lamps = Questions {
-        words: "mirrors {} apart, lamp at {}, after {} reflections",
-        simple: [0, 1, 2, 3].map(|n| (10.0, 3.0, n)).to_vec(),
-        others: random(|r| {
-            let width = r.between(1.0, 20.0);
-            (width, r.between(0.0, width), r.below(12))
-        }),
-        answer: |images: &Code, (width, lamp, n)| images(width, lamp, n),
-    };
-    Exercise {
-        questions: lamps.into(),
-        ..Exercise::default()
-    }
+    Exercise::asked(|images: &Code, (width, lamp, n)| images(width, lamp, n))
 }

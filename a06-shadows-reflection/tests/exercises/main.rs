@@ -2,7 +2,6 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-mod departure;
 mod traced;
 
 /// All names that checks, examples and students' files use.

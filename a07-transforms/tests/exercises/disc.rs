@@ -7,9 +7,6 @@ yours! { Disc => new_shape(|(c, n, r)| Disc::new(point(c), vector(n).as_normal()
 /// Makes a disc of centre, normal and radius.
 type Code = NewShape<([f64; 3], [f64; 3], f64)>;
 
-const UP: [f64; 3] = [0.0, 1.0, 0.0];
-const DOWN: [f64; 3] = [0.0, -1.0, 0.0];
-
 const SCENE: LitScene = LitScene {
     name: "disc",
     eye: 8.0,
@@ -28,27 +25,6 @@ pub fn exercise() -> Exercise<Code> {
             let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
             Ok(world.with(plane, Box::new(red)).with(disc, Box::new(green)))
         }),
-        ..shapes(Shapes {
-            words: "disc around {}, normal {}, radius {}",
-            first: ([0.0; 3], [0.0, 1.0, 0.0], 2.0),
-            further: vec![
-                ([1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], 1.0),
-                ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 1.0),
-            ],
-            on_surface: vec![[0.0; 3], [1.0, 0.0, -1.0], [2.0, 0.0, 0.0]],
-            own_rays: [
-                of_sizes(|size| ([0.0; 3], UP, 2.0 * size)),
-                beside(
-                    &([0.0; 3], UP, 2.0),
-                    &[
-                        ([2.0, 0.0, 0.0], DOWN, [1.0, 0.0, 0.0]),
-                        ([0.0, 0.0, -2.0], DOWN, [0.0, 0.0, -1.0]),
-                    ],
-                ),
-            ]
-            .concat(),
-            middle: |(c, _, _)| *c,
-            any: |r| (r.triple(3.0), r.triple(5.0), r.between(0.5, 4.0)),
-        })
+        ..shapes()
     }
 }

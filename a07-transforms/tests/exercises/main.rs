@@ -12,7 +12,6 @@ mod prelude {
     pub use a02_math::*;
     pub use a03_rays_cameras::*;
     pub use a04_intersections::*;
-    pub use a04_kinds::rays::*;
     pub use a04_kinds::shape::*;
     pub use a04_kinds::shown::*;
     pub use a05_lighting::*;

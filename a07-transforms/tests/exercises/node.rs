@@ -3,72 +3,25 @@
 use crate::prelude::*;
 
 yours! {
-    Node => new_shape(|crate::node::Parts { steps, children }| {
-        let node = Node::new(transform(&steps));
-        Ok(children()?.into_iter().fold(node, Node::with))
-    })
-}
-
-/// The parts of a node: its steps, which questions name, and its children.
-#[derive(Clone)]
-pub struct Parts {
-    pub steps: Vec<Step>,
-    pub children: fn() -> Made<Vec<Shape>>,
-}
-
-impl Input for Parts {
-    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
-        self.steps.for_each_number(f);
-    }
-
-    fn words(&self) -> Vec<String> {
-        self.steps.words()
+    Node => |steps: &[Step], children: Vec<Shape>| -> Shape {
+        let node = Node::new(transform(steps));
+        Box::new(children.into_iter().fold(node, Node::with))
     }
 }
 
-type Code = NewShape<Parts>;
+/// A node of some steps and children.
+type Code = fn(&[Step], Vec<Shape>) -> Shape;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
+        forms: hits_and_parts(|new: &Code, steps: Vec<Step>| {
+            Ok(new(&steps, balls_and_triangle()?))
+        }),
         picture: BOX_SCENE.with(|new: &Code, world| {
-            let node = new(Parts {
-                steps: steps_of_box().to_vec(),
-                children: || Ok(vec![Box::new(upright_box()?)]),
-            })?;
+            let node = new(&steps_of_box(), vec![Box::new(upright_box()?)]);
             Ok(world.with(node, yellow()?))
         }),
-        ..shapes(Shapes {
-            words: "two balls and a triangle under {}",
-            first: Parts {
-                steps: vec![],
-                children: balls_and_triangle,
-            },
-            further: vec![
-                Parts {
-                    steps: vec![Step::Scale([2.0, 1.0, 0.5])],
-                    children: balls_and_triangle,
-                },
-                Parts {
-                    steps: vec![Step::Translate([0.5, 0.0, -1.0])],
-                    children: balls_and_triangle,
-                },
-            ],
-            on_surface: vec![
-                [1.0, 0.0, 0.0],
-                [0.0, 0.0, 1.0],
-                [0.0, 0.5, 0.0],
-                [0.0, 0.0, 2.0],
-            ],
-            own_rays: of_sizes(|size| Parts {
-                steps: vec![Step::Scale([size; 3])],
-                children: balls_and_triangle,
-            }),
-            middle: |parts| array(transform(&parts.steps).matrix() * Point3::ORIGIN),
-            any: |r| Parts {
-                steps: Step::random(r),
-                children: balls_and_triangle,
-            },
-        })
+        ..Exercise::default()
     }
 }
 

@@ -9,9 +9,6 @@ yours! {
 /// Makes a ring of centre, normal, and the radii of its hole and its rim.
 type Code = NewShape<([f64; 3], [f64; 3], f64, f64)>;
 
-const UP: [f64; 3] = [0.0, 1.0, 0.0];
-const DOWN: [f64; 3] = [0.0, -1.0, 0.0];
-
 pub fn exercise() -> Exercise<Code> {
     let eye = Eye {
         from: [1.0, 2.0, 6.0],
@@ -19,31 +16,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit(eye, saturn),
-        ..shapes(Shapes {
-            words: "ring around {}, normal {}, from {} to {}",
-            first: ([0.0; 3], [0.0, 1.0, 0.0], 1.0, 3.0),
-            further: vec![
-                ([1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], 0.5, 2.0),
-                ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5, 2.0),
-            ],
-            on_surface: vec![[2.0, 0.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 1.0]],
-            own_rays: [
-                of_sizes(|size| ([0.0; 3], UP, size, 3.0 * size)),
-                beside(
-                    &([0.0; 3], UP, 1.0, 3.0),
-                    &[
-                        ([3.0, 0.0, 0.0], DOWN, [1.0, 0.0, 0.0]),
-                        ([0.0, 0.0, 1.0], DOWN, [0.0, 0.0, -1.0]),
-                    ],
-                ),
-            ]
-            .concat(),
-            middle: |(c, _, _, _)| *c,
-            any: |r| {
-                let (hole, width) = (r.between(0.5, 2.0), r.between(0.5, 2.0));
-                (r.triple(3.0), r.triple(5.0), hole, hole + width)
-            },
-        })
+        ..shapes()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Steps of a transform.
 
 pub use std::f64::consts::{FRAC_PI_2, TAU};
+use std::str::SplitWhitespace;
 
 use crate::prelude::*;
 
@@ -35,20 +36,6 @@ impl Step {
         };
         chained.unwrap_or(t)
     }
-
-    /// Four steps.
-    pub fn random(random: &mut Random) -> Vec<Self> {
-        let mut steps = Vec::new();
-        for _ in 0..4 {
-            let angle = random.between(-3.0, 3.0);
-            steps.push(match random.below(5) {
-                0 => Self::Translate(random.triple(3.0)),
-                1 => Self::Scale([(); 3].map(|()| random.between(0.3, 3.0))),
-                axis => Self::Rotate(axis as usize - 2, angle),
-            });
-        }
-        steps
-    }
 }
 
 impl Input for Step {
@@ -68,6 +55,18 @@ impl Input for Step {
                 format!("rotate about {axis} by {}", angle.words().concat())
             }
         }]
+    }
+    fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
+        Some(match parts.next()? {
+            "translate" => Self::Translate(Input::read_part(parts)?),
+            "scale" => Self::Scale(Input::read_part(parts)?),
+            "rotate" => {
+                let axis = parts.next()?;
+                let axis = ["x", "y", "z"].iter().position(|name| *name == axis)?;
+                Self::Rotate(axis, Input::read_part(parts)?)
+            }
+            _ => return None,
+        })
     }
 }
 

@@ -22,23 +22,12 @@ const SCENE: LitScene = LitScene {
 };
 
 pub fn exercise() -> Exercise<Code> {
-    let [o, d, n] = [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]];
-    let chains = Questions {
-        words: "chain {}; origin and direction of the ray, and normal {}",
-        simple: vec![
-            (vec![Step::Translate([2.0, 0.0, 0.0])], [o, d, n]),
-            (vec![Step::Scale([2.0; 3])], [o, d, n]),
-            (vec![Step::Scale([2.0, 1.0, 1.0])], [[1.0; 3], d, n]),
-            (vec![Step::Scale([-1.0, 1.0, 1.0])], [[1.0; 3], d, n]),
-            (vec![Step::Scale([1e12; 3])], [o, d, n]),
-            (vec![Step::Scale([1e-12; 3])], [o, d, n]),
-            (vec![Step::Scale([1.0, 1e-6, 1e6])], [[1.0; 3], d, n]),
-            (vec![Step::Translate([1e6, 0.0, -1e-6])], [o, d, n]),
-            (vec![Step::Rotate(0, 1e-6)], [[1.0; 3], d, n]),
-            (vec![], [o, d, [0.0; 3]]),
-        ],
-        others: random(|r| (Step::random(r), [(); 3].map(|()| r.triple(5.0)))),
-        answer: |code: &Code, (steps, [o, d, n]): (Vec<Step>, [_; 3])| {
+    Exercise {
+        picture: SCENE.with(|code: &Code, world| {
+            let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
+            Ok(world.with(ellipsoid(*code)?, Box::new(material)))
+        }),
+        ..Exercise::asked(|code: &Code, (steps, [o, d, n]): (Vec<Step>, [_; 3])| {
             let transform = transform(&steps);
             let ray = Ray::derived(point(o), vector(d));
             let ray = (code.ray_to_object)(&transform, &ray);
@@ -46,15 +35,7 @@ pub fn exercise() -> Exercise<Code> {
             Answer::named("origin", array(ray.origin()))
                 .and("direction", array(ray.direction()))
                 .and("the normal", n.map(array))
-        },
-    };
-    Exercise {
-        questions: chains.into(),
-        picture: SCENE.with(|code: &Code, world| {
-            let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
-            Ok(world.with(ellipsoid(*code)?, Box::new(material)))
-        }),
-        ..Exercise::default()
+        })
     }
 }
 

@@ -4,6 +4,8 @@ use std::str::{FromStr, Split, SplitWhitespace};
 
 use common::{Color, Sampling};
 
+use crate::text::take_quoted;
+
 /// The arguments that a line still has, with `|` between them.
 pub type Arguments<'t> = Split<'t, char>;
 
@@ -158,16 +160,31 @@ macro_rules! fixed {
     )+)+ };
 }
 
-fixed! { never: Sampling &'static str; word: bool u8 u32 i32 u64 usize String; }
+fixed! { word: bool u8 u32 i32 u64 usize; sampling: Sampling; }
+
+/// A text, in quotes if it begins or ends with a space, or has several lines.
+impl Input for String {
+    fn for_each_number(&mut self, _: &mut dyn FnMut(&mut f64)) {}
+
+    fn words(&self) -> Vec<String> {
+        vec![format!("{self:?}")]
+    }
+
+    fn read(arguments: &mut Arguments) -> Option<Self> {
+        let mut text = arguments.next()?.trim();
+        take_quoted(&mut text).or_else(|| Some(text.to_owned()))
+    }
+}
 
 fn word<T: FromStr>(parts: &mut SplitWhitespace) -> Option<T> {
     // A comma may stand between the items of a list.
     parts.next()?.trim_end_matches(',').parse().ok()
 }
 
-/// No line has such an argument.
-fn never<T>(_: &mut SplitWhitespace) -> Option<T> {
-    None
+fn sampling(parts: &mut SplitWhitespace) -> Option<Sampling> {
+    let name: String = word(parts)?;
+    let mut all = Sampling::ALL.into_iter();
+    all.find(|sampling| format!("{sampling:?}") == name)
 }
 
 macro_rules! tuples {

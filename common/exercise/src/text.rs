@@ -33,7 +33,7 @@ fn quoted(words: &str) -> String {
 }
 
 /// Takes words in quotes from the beginning of a text.
-fn take_quoted(text: &mut &str) -> Option<String> {
+pub fn take_quoted(text: &mut &str) -> Option<String> {
     let mut words = String::new();
     let mut letters = text.strip_prefix('"')?.chars();
     loop {
@@ -41,6 +41,8 @@ fn take_quoted(text: &mut &str) -> Option<String> {
             '"' => break,
             '\\' => words.push(match letters.next()? {
                 'n' => '\n',
+                'r' => '\r',
+                't' => '\t',
                 escaped => escaped,
             }),
             letter => words.push(letter),

@@ -1,6 +1,5 @@
 //! What exercises of this stage and of those above ask in the same way.
 
 pub mod boxes;
-pub mod rays;
 pub mod shape;
 pub mod shown;

@@ -3,15 +3,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use a02_math::arrays::array;
+use a02_math::arrays::{array, point, vector};
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Triangle};
-use testing::exercises::{
-    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, all, random,
-};
-
-use crate::rays::{self, RAY, RayWithin, ray_within};
+use testing::exercises::{Answer, Exercise, Form, Input, Made};
 
 /// A shape of any type.
 pub type Shape = Box<dyn Geometry>;
@@ -63,9 +59,6 @@ pub fn hit_answer(hit: Option<Hit>) -> Answer {
     })
 }
 
-/// The words for the parts of a ray in [`parts_answer`].
-const PARTS: &str = "the parts of it before and behind the hit";
-
 /// The hits in the parts of an interval before and behind the shape's own hit, whichever `t` its
 /// formula finds. The ends do not belong to an interval.
 #[must_use]
@@ -93,97 +86,44 @@ fn end_answer(has_hit: bool) -> Answer {
     })
 }
 
+/// Origin and direction of a ray, and the ends of the interval.
+pub type RayWithin = ([f64; 3], [f64; 3], f64, f64);
+
+/// The ray and the interval of an input.
+#[must_use]
+pub fn ray_within((o, d, min, max): RayWithin) -> (Ray, Interval) {
+    (Ray::derived(point(o), vector(d)), Interval { min, max })
+}
+
 /// The hit of a ray ahead of its origin, for examples.
 pub fn hit_from(o: [f64; 3], d: [f64; 3], shape: &dyn Geometry) -> Option<Hit> {
     let (ray, ahead) = ray_within((o, d, 0.0, f64::INFINITY));
     shape.hit(&ray, ahead)
 }
 
-/// Shapes of some parameters.
-pub struct Shapes<P> {
-    /// The parameters in words, with `{}` instead of each.
-    pub words: &'static str,
-    /// Parameters of round numbers, of a shape near the origin.
-    pub first: P,
-    /// Further parameters of round numbers, such as of a flat shape along each plane of two axes.
-    pub further: Vec<P>,
-    /// Points exactly on the first shape. Of a shape whose hits are found by steps, none: there
-    /// rounding decides whether a ray from its surface hits it.
-    pub on_surface: Vec<[f64; 3]>,
-    /// Shapes and rays to them of round numbers, beside those to all shapes.
-    pub own_rays: Vec<(P, RayWithin)>,
-    /// A point near which a shape of these parameters is.
-    pub middle: fn(&P) -> [f64; 3],
-    /// Random parameters.
-    pub any: fn(&mut Random) -> P,
-}
-
-/// How many random shapes are asked, beside the first one.
-const RANDOM: usize = 5;
-
-/// How many times random rays are asked of a shape.
-const TIMES: usize = 5;
-
-/// Asks the first shape with simple rays, and some random ones.
-pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<NewShape<P>> {
+/// An exercise whose file asks shapes of some parameters, ray by ray.
+#[must_use]
+pub fn shapes<P: Input + Default + 'static>() -> Exercise<NewShape<P>> {
     Exercise {
-        questions: shapes.questions(),
+        forms: hits_and_parts(|new: &NewShape<P>, parameters| new(parameters)),
         ..Exercise::default()
     }
 }
 
-impl<P: Input + 'static> Shapes<P> {
-    /// Simple rays: to the first shape, the shape's own, from its surface, and to the further shapes.
-    fn simple(&self) -> Vec<(P, RayWithin)> {
-        let mut simple = Vec::new();
-        let mut add = |shape: &P, rays: &[RayWithin]| {
-            for ray in rays {
-                simple.push((shape.clone(), *ray));
-            }
-        };
-        add(&self.first, &rays::simple());
-        for (shape, ray) in &self.own_rays {
-            add(shape, &[*ray]);
-        }
-        add(&self.first, &rays::from_points(&self.on_surface));
-        for shape in &self.further {
-            add(shape, &rays::few());
-        }
-        simple
-    }
-
-    fn questions(self) -> Vec<CodeQuestion<NewShape<P>>> {
-        let Self { words, middle, .. } = self;
-        let mut random_rays = Vec::new();
-        let mut r = Random::new(2);
-        let mut shapes = vec![self.first.clone()];
-        shapes.extend(random(self.any).into_iter().take(RANDOM));
-        for shape in shapes {
-            for _ in 0..TIMES {
-                for ray in rays::around(middle(&shape), &mut r) {
-                    random_rays.push((shape.clone(), ray));
-                }
-            }
-        }
-        let simple = self.simple();
-        let hits = Questions {
-            words: format!("{words}; {RAY}").leak(),
-            simple: simple.clone(),
-            others: random_rays.clone(),
-            answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
-                let (ray, within) = ray_within(ray);
-                Some(hit_answer(new(parameters).ok()?.hit(&ray, within)))
-            },
-        };
-        let parts = Questions {
-            words: format!("{words}; {RAY}, and {PARTS}").leak(),
-            simple: simple.into_iter().step_by(3).take(40).collect(),
-            others: random_rays.into_iter().step_by(3).collect(),
-            answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
-                let (ray, within) = ray_within(ray);
-                Some(parts_answer(&*new(parameters).ok()?, &ray, within))
-            },
-        };
-        all([hits.into(), parts.into()])
-    }
+/// The forms of questions that ask a shape of some parameters for its hit, and for the hits before and
+/// behind it.
+pub fn hits_and_parts<C: 'static, P: Input + Default + 'static>(
+    shape: impl Fn(&C, P) -> Made<Shape> + Copy + 'static,
+) -> Vec<Form<C>> {
+    let answers: [fn(&dyn Geometry, &Ray, Interval) -> Answer; 2] = [
+        |shape, ray, within| hit_answer(shape.hit(ray, within)),
+        parts_answer,
+    ];
+    let forms = answers.map(|answer| {
+        Form::new(move |code: &C, (parameters, ray): (P, RayWithin)| {
+            let (ray, within) = ray_within(ray);
+            Some(answer(&*shape(code, parameters).ok()?, &ray, within))
+        })
+    });
+    forms.into()
 }

@@ -111,7 +111,7 @@ pub struct Form<C> {
 impl<C: 'static> Form<C> {
     /// The form of the questions to which code gives this answer.
     pub fn new<I: Input + Default + 'static, A: Into<Answer> + 'static>(
-        answer: fn(&C, I) -> A,
+        answer: impl Fn(&C, I) -> A + Copy + 'static,
     ) -> Self {
         Self {
             question: Box::new(move |line| {
@@ -129,7 +129,7 @@ impl<C: 'static> Form<C> {
 /// The answer to this input with other numbers.
 fn answer_to<C: 'static, I: Input + 'static, A: Into<Answer> + 'static>(
     input: I,
-    answer: fn(&C, I) -> A,
+    answer: impl Fn(&C, I) -> A + 'static,
 ) -> AnswerTo<C> {
     Box::new(move |code, numbers| answer(code, input.clone().with_numbers(numbers)).into())
 }
