@@ -41,8 +41,9 @@ impl Mistake {
                 "a known mistake overlooks that {fact}; with --again, this program's answers count, too"
             ));
         }
-        if let Some(row) = record.rows.iter().find(|row| !row.is_recorded()) {
-            return Err(format!("the question {} has no right answer yet", row.key));
+        if let Some(question) = record.unanswered() {
+            let arguments = &question.arguments;
+            return Err(format!("the question {arguments} has no right answer yet"));
         }
         let folder = GradingFolder::new(course, &[e])?;
         let output = output(&folder, e, &students)?;

@@ -1,7 +1,5 @@
 //! `Question`: what a program is asked, as a value.
 
-use common::fnv1a;
-
 use crate::Input;
 
 /// A question to a program.
@@ -14,26 +12,21 @@ pub struct Question {
     /// Whether the numbers are like 0, 1 and 2, which every formula computes without rounding:
     /// then decisions, such as that a ray that just touches hits, must be equal.
     pub is_simple: bool,
-    /// Tells this input from others, whatever the words around it are: a hash of its arguments.
-    pub key: String,
 }
 
 impl Question {
     /// The question with this input instead of each `{}` of the words.
     pub fn new(words: &str, input: &impl Input, is_simple: bool) -> Self {
         let (mut text, mut pieces) = (String::new(), words.split("{}"));
-        let arguments = input.words();
-        for argument in &arguments {
+        for argument in input.words() {
             text += pieces.next().unwrap_or_default();
-            text += argument;
+            text += &argument;
         }
         text.extend(pieces);
         Self {
             text,
             input: input.numbers(),
             is_simple,
-            // Six digits tell the thousand inputs of an exercise apart.
-            key: format!("{:06x}", fnv1a(arguments.join(", ").as_bytes()) >> 40),
         }
     }
 

@@ -24,10 +24,7 @@ impl QuestionLine {
         let input = I::read(&mut arguments);
         match input.filter(|_| arguments.next().is_none()) {
             Some(input) => {
-                let question = Question {
-                    key: self.arguments.clone(),
-                    ..Question::new(&self.words, &input, self.is_simple)
-                };
+                let question = Question::new(&self.words, &input, self.is_simple);
                 Ok((input, question))
             }
             None => Err(format!(

@@ -2,8 +2,7 @@
 //!
 //! A line begins with the word that says what it is. `mistake m1` has the fact that a known mistake
 //! overlooks. `words` begins the questions of one form, with `{}` instead of each argument. `simple` or
-//! `other` asks one, with `|` between its arguments; where the check asks, `?` has the key of the question.
-//! After `=` stands its right answer, and after `~` how far the numbers of the answer may move, beside their
+//! `other` asks one, with `|` between its arguments. After `=` stands its right answer, and after `~` how far the numbers of the answer may move, beside their
 //! own rounding: nothing where they must not, and `rounding decides` where every answer is right. The lines
 //! below it tell of code with known mistakes: its answer, such as `m1 = 0`; `wrong`, for which mistakes
 //! another one is wrong; and `either`, for which it is not known.
@@ -18,9 +17,9 @@ use crate::{Answer, Mistake, QuestionLine, Row, Tolerance, text};
 /// Questions, right answers and known mistakes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// The questions; none where the check asks them.
+    /// The questions.
     pub questions: Vec<QuestionLine>,
-    /// The right answers. That to a question which has none yet is empty.
+    /// The right answer to each question. That to a question which has none yet is empty.
     pub rows: Vec<Row>,
     /// The known mistakes.
     pub mistakes: Vec<Mistake>,
@@ -34,25 +33,22 @@ impl fmt::Display for Record {
         for (label, mistake) in mistakes() {
             writeln!(f, "mistake m{label} {}", mistake.overlooks)?;
         }
-        for (number, row) in self.rows.iter().enumerate() {
+        for (number, (question, row)) in self.questions.iter().zip(&self.rows).enumerate() {
             let answer = if row.is_recorded() {
                 answer_line(&row.answer, &row.tolerance)
             } else {
                 String::new()
             };
-            match self.questions.get(number) {
-                Some(QuestionLine {
-                    above,
-                    is_simple,
-                    arguments,
-                    ..
-                }) => {
-                    let word = if *is_simple { "simple" } else { "other" };
-                    let line = format!("{word} {arguments} {answer}");
-                    writeln!(f, "{above}{}", line.trim_end())?;
-                }
-                None => writeln!(f, "? {} {answer}", row.key)?,
-            }
+            let QuestionLine {
+                above, arguments, ..
+            } = question;
+            let word = if question.is_simple {
+                "simple"
+            } else {
+                "other"
+            };
+            let line = format!("{word} {arguments} {answer}");
+            writeln!(f, "{above}{}", line.trim_end())?;
             for (label, mistake) in mistakes() {
                 if let Some((answer, tolerance)) = mistake.answers.get(&number) {
                     writeln!(f, "  m{label} {}", answer_line(answer, tolerance))?;
@@ -108,12 +104,19 @@ impl Record {
         })
     }
 
+    /// The first question that has no answer yet.
+    #[must_use]
+    pub fn unanswered(&self) -> Option<&QuestionLine> {
+        let mut questions = self.questions.iter().zip(&self.rows);
+        let (question, _) = questions.find(|(_, row)| !row.is_recorded())?;
+        Some(question)
+    }
+
     /// The questions of the file alone, for a program that must not know what is right.
     #[must_use]
     pub fn without_answers(self) -> Self {
-        let keys = self.questions.iter().map(|line| &*line.arguments);
         Self {
-            rows: keys.map(Row::without_answer).collect(),
+            rows: vec![Row::default(); self.rows.len()],
             mistakes: Vec::new(),
             ..self
         }
@@ -133,10 +136,10 @@ mod tests {
             .and("again", hard)
             .and("", words);
         let row = |tolerance| Row {
-            key: "7f03a1".to_owned(),
             answer: answer.clone(),
             tolerance,
         };
+        let asked = Record::read("words the number {}\nsimple 1\nsimple 2\nother 3\n");
         let record = Record {
             rows: vec![
                 row(Tolerance::Changes(vec![0.0; 10])),
@@ -149,7 +152,7 @@ mod tests {
                 further_wrong_rows: [0].into(),
                 undecided_rows: [1].into(),
             }],
-            ..Record::default()
+            ..asked.unwrap()
         };
         assert_eq!(Record::read(&record.to_string()), Ok(record));
     }
@@ -182,7 +185,7 @@ other 0.1 | 4294967295 = \"none\" ~ rounding decides
             [1.0, 1e200, -0.0].map(f64::to_bits)
         );
         assert_eq!(question.text, "the vector [1, 1e200, 0]");
-        assert!(!record.rows[1].is_recorded());
+        assert_eq!(record.unanswered(), Some(new));
         let (input, _) = new.read::<Vec<f64>>().unwrap();
         assert_eq!(input, [1e-308, f64::INFINITY, 0.1]);
         let (input, question) = number.read::<(f64, u32)>().unwrap();
@@ -198,10 +201,6 @@ other 0.1 | 4294967295 = \"none\" ~ rounding decides
         let asked = Record::read(&text).unwrap();
         assert_eq!(asked.questions, record.questions);
         assert!(!asked.rows.iter().any(Row::is_recorded));
-        assert_eq!(
-            Record::read("? 7f03a1 = 1").unwrap().without_answers(),
-            Record::default()
-        );
     }
 
     #[test]

@@ -12,11 +12,12 @@ const UNIT: f64 = 1e-9;
 /// An answer is right if it is the right answer at an input that differs from the question's by
 /// rounding: so the tolerance follows from the condition of the input. Beside it, each number
 /// may differ by the same part of its own magnitude.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Tolerance {
     /// How far each number of the answer moves.
     Changes(Vec<f64>),
     /// The decision of the answer is another one at such an input: every answer is right.
+    #[default]
     RoundingDecides,
 }
 
@@ -70,11 +71,9 @@ fn rounded(change: f64) -> f64 {
     format!("{change:.2e}").parse().unwrap_or(change)
 }
 
-/// The right answer to a question.
-#[derive(Clone, Debug, PartialEq)]
+/// The right answer to a question; by default none yet.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
-    /// The key of the question.
-    pub key: String,
     /// The right answer.
     pub answer: Answer,
     /// How far another right answer may be from it.
@@ -86,11 +85,7 @@ impl Row {
     pub fn new(question: &Question, code: &dyn Fn(&[f64]) -> Answer) -> Self {
         let answer = code(&question.input);
         let tolerance = Tolerance::at(question, &answer, code);
-        Self {
-            key: question.key.clone(),
-            answer,
-            tolerance,
-        }
+        Self { answer, tolerance }
     }
 
     /// Whether the question has an answer: one that was just added has none.

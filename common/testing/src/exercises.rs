@@ -18,8 +18,7 @@ mod prove;
 #[cfg(not(target_family = "wasm"))]
 mod student;
 
-pub use self::exercise::{CodeQuestion, Exercise, Form, Picture, Questions, all};
-pub use crate::random::{Random, random};
+pub use self::exercise::{Exercise, Form, Picture};
 pub use ::exercise::{Answer, Input, assert_close, input};
 pub use common::ArgumentError;
 pub use folder::StageFolder;

@@ -17,12 +17,6 @@ pub fn for_seeds(count: u64, test: impl Fn(&mut Random)) {
     }
 }
 
-/// Some random inputs of a check.
-pub fn random<I>(mut input: impl FnMut(&mut Random) -> I) -> Vec<I> {
-    let mut random = Random::new(1);
-    (0..24).map(|_| input(&mut random)).collect()
-}
-
 /// A source of random numbers, which a seed determines.
 pub struct Random(ChaCha20Rng);
 

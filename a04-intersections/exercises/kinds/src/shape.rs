@@ -110,16 +110,16 @@ pub fn shapes<P: Input + Default + 'static>() -> Exercise<NewShape<P>> {
     }
 }
 
+/// The answer of a shape about a ray in an interval.
+type AnswerOf = fn(&dyn Geometry, &Ray, Interval) -> Answer;
+
 /// The forms of questions that ask a shape of some parameters for its hit, and for the hits before and
 /// behind it.
 pub fn hits_and_parts<C: 'static, P: Input + Default + 'static>(
     shape: impl Fn(&C, P) -> Made<Shape> + Copy + 'static,
 ) -> Vec<Form<C>> {
-    let answers: [fn(&dyn Geometry, &Ray, Interval) -> Answer; 2] = [
-        |shape, ray, within| hit_answer(shape.hit(ray, within)),
-        parts_answer,
-    ];
-    let forms = answers.map(|answer| {
+    let hit: AnswerOf = |shape, ray, within| hit_answer(shape.hit(ray, within));
+    let forms = [hit, parts_answer].map(|answer| {
         Form::new(move |code: &C, (parameters, ray): (P, RayWithin)| {
             let (ray, within) = ray_within(ray);
             Some(answer(&*shape(code, parameters).ok()?, &ray, within))

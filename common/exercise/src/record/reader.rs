@@ -39,13 +39,9 @@ impl Reader {
                 let (arguments, answer) = rest.split_once(" = ").unwrap_or((rest, ""));
                 next.is_simple = word == "simple";
                 arguments.trim().clone_into(&mut next.arguments);
-                record.rows.push(Row::read(&next.arguments, answer)?);
+                record.rows.push(Row::read(answer)?);
                 record.questions.push(next.clone());
                 next.above.clear();
-            }
-            "?" => {
-                let (key, answer) = rest.split_once(" = ")?;
-                record.rows.push(Row::read(key, answer)?);
             }
             "wrong" | "either" => {
                 let row = record.rows.len().checked_sub(1)?;
@@ -76,25 +72,12 @@ impl Reader {
 
 impl Row {
     /// The row of a question, with no answer where none is written.
-    fn read(key: &str, written: &str) -> Option<Self> {
-        let (answer, tolerance) = match written {
-            "" => return Some(Self::without_answer(key)),
-            _ => read_answer(written)?,
-        };
-        Some(Self {
-            key: key.to_owned(),
-            answer,
-            tolerance,
-        })
-    }
-
-    /// The row of a question that has no answer yet.
-    pub(super) fn without_answer(key: &str) -> Self {
-        Self {
-            key: key.to_owned(),
-            answer: Answer::default(),
-            tolerance: Tolerance::RoundingDecides,
+    fn read(written: &str) -> Option<Self> {
+        if written.is_empty() {
+            return Some(Self::default());
         }
+        let (answer, tolerance) = read_answer(written)?;
+        Some(Self { answer, tolerance })
     }
 }
 

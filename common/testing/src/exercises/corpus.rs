@@ -61,11 +61,11 @@ fn nearest<C>(
     exercise: &Exercise<C>,
     yours: &C,
 ) -> Option<f64> {
-    let asked = exercise.questions.first()?;
+    let form = exercise.forms.first()?;
     let mut nearest: Option<f64> = None;
     for shape in shapes {
         let ray = [&question.origin[..], &question.direction, &question.within].concat();
-        let answer = (asked.answer)(yours, &[&shape[..], &ray].concat());
+        let answer = (form.answer)(yours, &[&shape[..], &ray].concat());
         if let Some(t) = answer.number("t")
             && nearest.is_none_or(|nearest| t < nearest)
         {
@@ -95,21 +95,18 @@ fn in_words(case: &Case, found: Option<f64>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use exercise::{Answer, Question};
+    use exercise::Answer;
 
     use super::*;
-    use crate::exercises::CodeQuestion;
+    use crate::exercises::Form;
 
     /// What is said of a plane by its formula for point, normal, origin, direction and interval.
     fn said(t_of: fn(&[f64]) -> Option<f64>) -> String {
-        let answer = move |(): &(), numbers: &[f64]| {
-            t_of(numbers).map_or(Answer::words("no hit"), |t| Answer::named("t", t))
+        let answer = move |(): &(), numbers: [f64; 14]| {
+            t_of(&numbers).map_or(Answer::words("no hit"), |t| Answer::named("t", t))
         };
         let exercise = Exercise {
-            questions: vec![CodeQuestion {
-                question: Question::new("{}", &0.0, true),
-                answer: Box::new(answer),
-            }],
+            forms: vec![Form::new(answer)],
             ..Exercise::default()
         };
         ask_corpus("plane", &exercise, &())

@@ -133,38 +133,3 @@ fn answer_to<C: 'static, I: Input + 'static, A: Into<Answer> + 'static>(
 ) -> AnswerTo<C> {
     Box::new(move |code, numbers| answer(code, input.clone().with_numbers(numbers)).into())
 }
-
-/// Questions of one form, which the check asks.
-pub struct Questions<C, I, A> {
-    /// The question, with `{}` instead of each argument.
-    pub words: &'static str,
-    /// Inputs of numbers like 0, 1 and 2, which every formula computes without rounding: at them
-    /// decisions must be equal, such as for a ray that just touches.
-    pub simple: Vec<I>,
-    /// Further inputs, where a decision that depends on rounding may be either.
-    pub others: Vec<I>,
-    /// Lets the code answer.
-    pub answer: fn(&C, I) -> A,
-}
-
-/// The questions of several forms.
-#[must_use]
-pub fn all<C, const N: usize>(forms: [Vec<CodeQuestion<C>>; N]) -> Vec<CodeQuestion<C>> {
-    forms.into_iter().flatten().collect()
-}
-
-/// The questions one by one.
-impl<C: 'static, I: Input + 'static, A: Into<Answer> + 'static> From<Questions<C, I, A>>
-    for Vec<CodeQuestion<C>>
-{
-    fn from(questions: Questions<C, I, A>) -> Self {
-        let (answer, words) = (questions.answer, questions.words);
-        let simple = questions.simple.into_iter().map(|input| (true, input));
-        let others = questions.others.into_iter().map(|input| (false, input));
-        let asked = simple.chain(others).map(|(is_simple, input)| CodeQuestion {
-            question: Question::new(words, &input, is_simple),
-            answer: answer_to(input, answer),
-        });
-        asked.collect()
-    }
-}

@@ -5,7 +5,7 @@ use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::{BEGUN, MARK, Mode, Record, Row, WORDS_MARK, print_answers};
+use exercise::{BEGUN, MARK, Mode, Record, WORDS_MARK, print_answers};
 
 use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
@@ -59,12 +59,12 @@ pub fn judge<C: 'static>(
         }
     };
     let is_printed = mode.prints_answers();
-    let without_answer = record.rows.iter().find(|row| !row.is_recorded());
-    if let Some(Row { key, .. }) = without_answer.filter(|_| !is_printed) {
+    if let Some(question) = record.unanswered().filter(|_| !is_printed) {
         let stage = folder.stage().name;
         say(&format!(
-            "the question {key} has no answer yet, which this records: \
-             INSTA_UPDATE=always cargo test -p {stage} --test exercises -- {name}"
+            "the question {} has no answer yet, which this records: \
+             INSTA_UPDATE=always cargo test -p {stage} --test exercises -- {name}",
+            question.arguments
         ));
     }
     let program = Program {
