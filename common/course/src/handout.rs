@@ -12,7 +12,7 @@ use learn::files::{self, with_path};
 
 use crate::exercises;
 use crate::grading_folder::{Workbook, output_of};
-use crate::packages::Packages;
+use crate::packages::{Package, Packages};
 
 /// The page for students, with `{stage}` instead of the last stage.
 const README: &str = include_str!("../handout/README.md");
@@ -93,21 +93,21 @@ impl Handout {
     /// The files of the workbook.
     pub fn workbook(&self, course: &'static [Exercise]) -> Result<Workbook, String> {
         let chosen = exercises(course, self.until.as_ref())?;
-        let packages = Packages::read(course)?;
-        let needed = packages.built_of(chosen.iter().map(|e| e.stage).chain(["learn"]));
+        let mut built: Vec<_> = chosen.iter().map(|e| e.stage).collect();
+        built.push("learn");
+        let Packages { needed, others } = Packages::read(&built)?;
+        let is_built = |path: &str| {
+            let within = needed
+                .iter()
+                .filter_map(|of| path.strip_prefix(&*of.folder));
+            let mut within = within.filter_map(|inner| inner.strip_prefix('/'));
+            within.any(|inner| BUILT.iter().any(|of| inner.starts_with(of)))
+        };
         let paths = paths()?;
         let pages = pages(&paths, &course[chosen.len()..])?;
         let mut workbook = Workbook::new();
         for path in &paths {
-            let is_built = match packages.of_file(path) {
-                _ if path.starts_with(BOOK) => pages.contains(&**path),
-                _ if path.starts_with(SHEETS) => chosen.len() == course.len(),
-                Some((package, inner)) => {
-                    needed.contains(package) && BUILT.iter().any(|of| inner.starts_with(of))
-                }
-                None => ROOT.contains(&&**path),
-            };
-            if is_built {
+            if pages.contains(&**path) || ROOT.contains(&&**path) || is_built(path) {
                 let file = files::workspace().join(path);
                 let bytes = fs::read(&file).map_err(with_path(&file))?;
                 workbook.insert(path.clone(), bytes);
@@ -116,13 +116,9 @@ impl Handout {
         if self.without_solutions {
             withhold_solutions(&mut workbook, chosen)?;
         }
-        let absent = packages
-            .folders()
-            .filter(|(name, _)| !needed.contains(name));
-        let absent: Vec<_> = absent.collect();
         for (path, bytes) in &mut workbook {
             if path.ends_with("Cargo.toml") {
-                *bytes = without_packages(&String::from_utf8_lossy(bytes), &absent).into();
+                *bytes = without_packages(&String::from_utf8_lossy(bytes), &others).into();
             }
         }
         workbook.insert(".cargo/config.toml".to_owned(), CONFIG.into());
@@ -148,8 +144,9 @@ fn paths() -> Result<Vec<String>, String> {
     Ok(paths.split_terminator('\0').map(str::to_owned).collect())
 }
 
-/// The pages of the stages that are handed out, of the open sheets behind the last one, the glossary, and the
-/// pictures of these pages and of scenes, which checks compare. Names of pages and pictures begin with that of the stage.
+/// The pages of the stages that are handed out, and the glossary; behind the last stage the open sheets, and their
+/// pages; the pictures of these pages and of scenes, which checks compare. Names of pages and pictures begin with
+/// that of the stage.
 fn pages<'a>(paths: &'a [String], above: &[Exercise]) -> Result<BTreeSet<&'a str>, String> {
     let is_handed_out = |name: &str| match name.split_once('-') {
         Some((stage, _)) if stage.starts_with("a0") => {
@@ -162,7 +159,8 @@ fn pages<'a>(paths: &'a [String], above: &[Exercise]) -> Result<BTreeSet<&'a str
     let mut text = String::new();
     for path in paths {
         let name = path.strip_prefix(BOOK).unwrap_or_default();
-        if !name.contains('/') && is_handed_out(name) {
+        let is_page = !name.contains('/') && is_handed_out(name);
+        if is_page || (path.starts_with(SHEETS) && above.is_empty()) {
             pages.insert(&**path);
             text += &files::read(path)?;
         }
@@ -188,7 +186,7 @@ fn withhold_solutions(workbook: &mut Workbook, chosen: &[Exercise]) -> Result<()
 
 /// A manifest without benchmarks and without the lines about packages that are not handed out: as members, as libraries
 /// of tests, and in profiles.
-fn without_packages(manifest: &str, absent: &[(&str, &str)]) -> String {
+fn without_packages(manifest: &str, absent: &[Package]) -> String {
     let mut text = String::new();
     let mut is_of_bench = false;
     for line in manifest.lines() {
@@ -197,7 +195,7 @@ fn without_packages(manifest: &str, absent: &[(&str, &str)]) -> String {
         }
         let first = line.split([' ', '.']).next();
         let member = line.trim().trim_end_matches(',').trim_matches('"');
-        let is_absent = |(name, folder): &(&str, &str)| first == Some(*name) || member == *folder;
+        let is_absent = |of: &Package| first == Some(&*of.name) || member == of.folder;
         if !is_of_bench && !absent.iter().any(is_absent) {
             text += line;
             text += "\n";

@@ -25,8 +25,6 @@ use manifest::manifest;
 /// The file that names the open sheets of a program.
 pub const SHEETS: &str = "sheet.txt";
 
-const NO_SHEETS: &str = "sheet.txt, which names the sheet";
-
 /// A program that does nothing.
 const EMPTY: &str = "fn main() {}\n";
 
@@ -89,7 +87,8 @@ fn without_program(
         let folder = file.folder();
         let is_around = |other: &&[String]| other.starts_with(folder) || folder.starts_with(other);
         if file.name() == MANIFEST && !programs.iter().any(is_around) {
-            return Err(format!("{}: beside it is no {NO_SHEETS}", file.shown()));
+            let problem = "beside it is no sheet.txt, which names the sheet";
+            return Err(format!("{}: {problem}", file.shown()));
         }
     }
     Ok(None)
