@@ -3,8 +3,10 @@
 pub use a02_math::arrays::{point, vector};
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
-use common::ArgumentError;
+use a04_intersections::kinds::{FORMAT, KINDS};
+use a04_intersections::{Geometry, Hit, Interval};
+use random_scene::{Numbers, SceneText, Style};
+use scene_file::{Error, FirstMistake};
 use testing::Random;
 
 /// A ray whose direction keeps its length.
@@ -45,44 +47,30 @@ pub fn eighths(random: &mut Random) -> Point3 {
     Point3::ORIGIN + grid_vector(random, 2, 8)
 }
 
-/// Half of the vectors from -1 to 1 in eighths, so that rays go along axes, through edges
-/// and through corners; half from -8 to 8 in multiples of 2^-20.
-fn any_vector(random: &mut Random) -> Vector3 {
-    match random.below(2) {
-        0 => grid_vector(random, 1, 8),
-        _ => grid_vector(random, 8, 1 << 20),
-    }
+/// The shapes of the random scene with this number.
+pub fn random_shapes(seed: u64) -> Vec<Box<dyn Geometry>> {
+    let mut random = Random::new(seed);
+    let below = &mut |end| random.below(end);
+    let text = SceneText::new(below, Style::Plain, 4, &|text| shapes(text).is_ok());
+    shapes(&text).unwrap()
 }
 
-/// Planes, spheres, boxes and triangles in turn, half of these with normals of their own.
-fn any_shape(n: u32, random: &mut Random) -> Result<Box<dyn Geometry>, ArgumentError> {
-    let [a, b, c] = [(); 3].map(|()| Point3::ORIGIN + any_vector(random));
-    let normals = [(); 3].map(|()| any_vector(random).as_normal());
-    Ok(match n % 8 {
-        0 | 4 => Box::new(Plane::new(a, normals[0])?),
-        1 | 5 => Box::new(Sphere::new(a, random.between(0.1, 1.1))?),
-        2 | 6 => Box::new(AxisAlignedBox::new(a, b)?),
-        3 => Box::new(Triangle::new(a, b, c)?),
-        _ => Box::new(Triangle::new(a, b, c)?.with_normals(normals)?),
-    })
+fn shapes(text: &SceneText) -> Result<Vec<Box<dyn Geometry>>, Error> {
+    let file = FORMAT.read(&text.scene, &|name| text.mesh(name))?;
+    let mut first = FirstMistake::of(&file);
+    let objects = KINDS.read_objects(&file, &mut first, |_| Ok(()));
+    let shapes = objects.into_iter().map(|(shape, ())| shape);
+    first.result(Some(shapes.collect()))
 }
 
-/// The shape with this number.
-pub fn random_shape(n: u32) -> Box<dyn Geometry> {
-    let random = &mut Random::new(u64::from(n));
-    loop {
-        if let Ok(shape) = any_shape(n, random) {
-            return shape;
-        }
-    }
-}
-
-/// The ray with this number, from other random numbers than the shapes.
+/// The ray with this number, from other random numbers than the shapes: half of them go along axes, through edges and
+/// through corners.
 pub fn random_ray(n: u32) -> Ray {
-    let random = &mut Random::new(!u64::from(n));
+    let mut random = Random::new(!u64::from(n));
+    let below = &mut |end| random.below(end);
+    let mut numbers = Numbers::new(below, Style::Plain);
     loop {
-        let (from, to) = (any_vector(random), any_vector(random));
-        if let Ok(ray) = Ray::new(Point3::ORIGIN + from, to - from) {
+        if let Ok(ray) = Ray::new(point(numbers.point()), vector(numbers.direction())) {
             return ray;
         }
     }

@@ -7,8 +7,8 @@ use a02_math::{Point3, Vector3};
 use a05_lighting::kinds::LIGHTS;
 use a07_transforms::kinds::KINDS;
 use common::Color;
-use common::sensitivity::Unit;
-use scene_file::{Form, Item, KINDS as TABLES, Key, Missing, Notation, SceneFile};
+use scene_file::{Form, Item, KINDS as TABLES, Key, Notation, SceneFile};
+use testing::Random;
 
 use crate::scene_cases::{open, picture};
 
@@ -49,8 +49,7 @@ fn no_light_is_brighter_than_its_bound_for_the_engine() {
     for row in LIGHTS.0 {
         let mut lit = 0;
         for seed in 0..20 {
-            let mut state = seed;
-            let text = light(row.key, &mut state);
+            let text = table(row.key, seed);
             let file = SceneFile::read(&text, 7, &|_| unreachable!()).unwrap();
             let light = LIGHTS.read(&file.lights[0]).unwrap();
             let bound = engine::Light {
@@ -75,47 +74,40 @@ fn no_light_is_brighter_than_its_bound_for_the_engine() {
     }
 }
 
-/// The table of a light with random numbers.
-fn light(table: &str, state: &mut u64) -> String {
-    let mut lines = vec![format!("[[{table}]]\ncolor = [1, 0.5, 0.25]")];
-    for key in keys(table) {
-        // Cones of all widths, and not of one degree.
-        let value = match key.unit {
-            Some(Unit::Degree) => format!("{}", *state % 90 + 1),
-            _ => numbers(&key.form, state),
-        };
-        lines.push(format!("{} = {value}\n", key.name));
-    }
-    lines.join("\n")
+/// A table with random values of its keys.
+fn table(name: &str, seed: u64) -> String {
+    let mut random = Random::new(seed);
+    random_scene::table(name, &mut |end| random.below(end), 7)
 }
 
-/// With shadows and without, on a ball in front of a wall, into which coordinates above 0 lead.
+/// With shadows and without, on a ball in a room: lights outside of it shine through walls that cast no shadows.
 #[test]
 fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
     for row in LIGHTS.0 {
         let mut seen = 0;
-        for seed in 0..20 {
-            let table = light(row.key, &mut { seed });
-            let pictures = ["true", "false"].map(|shadows| {
+        for seed in 0..60 {
+            let light = table(row.key, seed);
+            let without_shadows = light.replace("shadows = true", "shadows = false");
+            let pictures = [light, without_shadows].map(|light| {
                 let text = format!(
-                    "[camera]\neye = [-2, 1, 4]\nlook_at = [1, 1, 1]\nangle = 40\n\
-                    [material.white]\ndiffuse = [1, 1, 1]\n{table}shadows = {shadows}\n\
-                    [[sphere]]\nmaterial = \"white\"\ncenter = [0.9, 0.9, 0.9]\nradius = 0.2\n\
-                    [[plane]]\nmaterial = \"white\"\npoint = [1.2, 1.2, 1.2]\nnormal = [1, 1, 1]\n"
+                    "[camera]\neye = [2.5, 2.5, 2.5]\nlook_at = [0, 0, 0]\nangle = 80\n\
+                    [material.white]\ndiffuse = [1, 1, 1]\n{light}\
+                    [[sphere]]\nmaterial = \"white\"\ncenter = [0, 0, 0]\nradius = 0.4\n\
+                    [[box]]\nmaterial = \"white\"\nlbf = [-3, -3, -3]\nrun = [3, 3, 3]\n"
                 );
                 picture(&text, [16, 12])
             });
             seen += u32::from(pictures[0] != pictures[1]);
         }
-        assert!(seen >= 1, "{}: no shadow is seen", row.key);
+        assert!(seen >= 3, "{}: {seen} shadows are seen", row.key);
     }
 }
 
 /// Points at distances from 10^-12 to 10^5 from each vector of a table.
 fn points(item: &Item) -> Vec<Point3> {
-    let keys = keys(item.kind.name);
     let vector = |key: &Key| item.find_vector(key.name, Vector3::new);
-    let vectors: Vec<_> = keys.iter().filter_map(vector).collect();
+    let keys = item.kind.keys.iter().filter(has_numbers);
+    let vectors: Vec<_> = keys.filter_map(vector).collect();
     let mut points = Vec::new();
     for place in &vectors {
         for direction in &vectors {
@@ -150,61 +142,8 @@ fn the_book_has_the_section_of_each_row() {
     }
 }
 
-/// The keys of the table of a row that have numbers: those of every shape have none.
-fn keys(table: &str) -> Vec<Key> {
-    let listed = TABLES.iter().find(|kind| kind.name == table);
-    let mut keys = listed.expect(table).keys.clone();
-    keys.retain(|key| matches!(key.form, Form::Numbers { .. }));
-    keys
-}
-
-/// Random numbers in the form of a key, such as `3 x 3 numbers`: distinct, and from 0.1 to 1.6.
-fn numbers(form: &Form, seed: &mut u64) -> String {
-    let mut number = || {
-        *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        format!(
-            "{:.3}",
-            0.1 + (*seed >> 33) as f64 / f64::from(1 << 30) * 0.75
-        )
-    };
-    match form.lengths() {
-        Some([count]) => list(&mut number, *count),
-        Some([rows, columns]) => {
-            let rows: Vec<_> = (0..*rows).map(|_| list(&mut number, *columns)).collect();
-            format!("[{}]", rows.join(", "))
-        }
-        _ => number(),
-    }
-}
-
-fn list(number: &mut impl FnMut() -> String, count: usize) -> String {
-    let numbers: Vec<_> = (0..count).map(|_| number()).collect();
-    format!("[{}]", numbers.join(", "))
-}
-
-/// A scene with a shape of this table; every other one has the keys, too, that may be missing, or one
-/// key instead of another.
-fn scene(table: &str, seed: u64) -> String {
-    let mut state = seed;
-    let mut values = Vec::new();
-    for key in keys(table) {
-        let is_odd = seed % 2 == 1;
-        let is_written = match key.missing {
-            Missing::Optional | Missing::InsteadOf(_) => is_odd,
-            Missing::NeededOr(_) => !is_odd,
-            _ => true,
-        };
-        if is_written {
-            values.push(format!("{} = {}", key.name, numbers(&key.form, &mut state)));
-        }
-    }
-    let values = values.join("\n");
-    format!(
-        "[camera]\neye = [1, 1.2, 7]\nlook_at = [0.7, 0.7, 0.7]\nangle = 40\n\
-        [world]\nambient = [0.2, 0.2, 0.2]\n[material.red]\ndiffuse = [1, 0.5, 0.5]\n\
-        [[point_light]]\ncolor = [1, 1, 1]\nposition = [3, 4, 5]\n\
-        [[{table}]]\nmaterial = \"red\"\n{values}\n"
-    )
+fn has_numbers(key: &&Key) -> bool {
+    matches!(key.form, Form::Numbers { .. })
 }
 
 /// A shape of each row that has numbers of its own, so that no row lacks a value in its export, and
@@ -212,17 +151,31 @@ fn scene(table: &str, seed: u64) -> String {
 #[test]
 fn a_shape_of_each_row_is_drawn_by_all_renderers_and_exported() {
     for row in KINDS.rows() {
-        if keys(row.key).is_empty() {
+        let mut tables = TABLES.iter();
+        let kind = tables.find(|kind| kind.name == row.key).expect(row.key);
+        if !kind.keys.iter().any(|key| has_numbers(&key)) {
             // Meshes and groups consist of other shapes.
             continue;
         }
+        let scene = |seed| {
+            format!(
+                "[camera]\neye = [1, 1.2, 7]\nlook_at = [0, 0, 0]\nangle = 40\n\
+                [world]\nambient = [0.2, 0.2, 0.2]\n[material.red]\ndiffuse = [1, 0.5, 0.5]\n\
+                [[point_light]]\ncolor = [1, 1, 1]\nposition = [3, 4, 5]\n\
+                {}material = \"red\"\n",
+                table(row.key, seed)
+            )
+        };
         let mut seen = 0;
-        let valid = (0..1000).map(|seed| scene(row.key, seed));
-        for text in valid.filter(|text| open(text).is_ok()).take(20) {
+        for text in (0..1000)
+            .map(scene)
+            .filter(|text| open(text).is_ok())
+            .take(20)
+        {
             let image = picture(&text, [16, 12]);
             seen += u32::from(image.pixels().iter().any(|color| *color != Color::BLACK));
         }
-        let refusal = open(&scene(row.key, 0)).err().unwrap_or_default();
+        let refusal = open(&scene(0)).err().unwrap_or_default();
         assert!(seen >= 5, "{}: {seen} shapes are seen. {refusal}", row.key);
     }
 }

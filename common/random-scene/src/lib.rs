@@ -49,6 +49,11 @@ impl SceneText {
     }
 }
 
+/// A table of this name with random values of its keys, but without the surface of a shape, for a stage.
+pub fn table(name: &str, below: Below, stage: u8) -> String {
+    Writer::new(below, Style::Plain, stage, &|_| true).table(name)
+}
+
 fn list(numbers: &[f64]) -> String {
     format!("[{}]", written(numbers, ", "))
 }

@@ -54,9 +54,15 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// A table of this name, without the surface of a shape.
+    pub fn table(&mut self, name: &str) -> String {
+        let kind = kind(name);
+        format!("{}\n{}", kind.header, self.keys(kind))
+    }
+
     fn add_all(&mut self) {
         for _ in 0..8 {
-            let camera = format!("[camera]\n{}", self.keys(kind("camera")));
+            let camera = self.table("camera");
             if self.head.is_empty() && self.is_accepted(&camera) {
                 self.head = camera;
             }
@@ -66,11 +72,8 @@ impl<'a> Writer<'a> {
             let at = self.numbers.at([0.0; 3]);
             self.head = format!("[camera]\neye = {eye:?}\nlook_at = {at:?}\nangle = 35\n");
         }
-        let world = format!("[world]\n{}", self.keys(kind("world")));
-        let materials = MATERIALS.map(|name| {
-            let keys = self.keys(kind("material"));
-            format!("[material.{name}]\n{keys}")
-        });
+        let world = self.table("world");
+        let materials = MATERIALS.map(|name| self.table("material").replace("NAME", name));
         for table in [world].iter().chain(&materials) {
             if self.is_accepted(table) {
                 self.head += table;
@@ -80,12 +83,11 @@ impl<'a> Writer<'a> {
         let lights: Vec<_> = lights.collect();
         for _ in 0..self.numbers.below(5) {
             let light = self.numbers.one_of(&lights);
-            let light = format!("[[{}]]\n{}", light.name, self.keys(light));
+            let light = self.table(light.name);
             self.add(&light, &light);
         }
         for name in ["part", "whole"] {
-            let keys = self.keys(kind("define")) + &self.surface();
-            let table = format!("[define.{name}]\n{keys}");
+            let table = self.table("define").replace("NAME", name) + &self.surface();
             if self.is_accepted(&table) {
                 self.head += &table;
                 self.add_shapes(&format!("define.{name}."), 4, 1);
