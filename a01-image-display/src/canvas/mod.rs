@@ -20,11 +20,11 @@ const HEAD_LENGTH: f64 = 6.0;
 const HEAD_HALF_WIDTH: f64 = 2.5;
 
 /// Length in pixels of the shortest head with visibly different corners.
-const SHORTEST_HEAD: f64 = 0.01;
+const MIN_HEAD: f64 = 0.01;
 
 /// Largest magnitude of a coordinate that is drawn. There a pixel's distance is
 /// still computed with an error below a hundredth.
-const FARTHEST: f64 = 1e9;
+const MAX_COORDINATE: f64 = 1e9;
 
 /// A picture to draw on.
 ///
@@ -66,7 +66,7 @@ impl Canvas {
         let (x, y) = (to.0 - from.0, to.1 - from.1);
         let length = (x * x + y * y).sqrt();
         let head = (HEAD_LENGTH * width).min(length);
-        if !(drawable(&[from, to, (width, width)]) && head >= SHORTEST_HEAD) {
+        if !(drawable(&[from, to, (width, width)]) && head >= MIN_HEAD) {
             self.line(from, to, width, color);
             return;
         }
@@ -150,7 +150,7 @@ fn covered(coordinates: impl Iterator<Item = f64> + Clone, margin: f64, side: u3
 }
 
 fn drawable(points: &[(f64, f64)]) -> bool {
-    let near = |coordinate: f64| coordinate.abs() <= FARTHEST;
+    let near = |coordinate: f64| coordinate.abs() <= MAX_COORDINATE;
     points.iter().all(|(x, y)| near(*x) && near(*y))
 }
 

@@ -14,7 +14,7 @@ const MAX_LINES: usize = 50;
 /// On a terminal, the rows that are left to the task and the verdict, and the fewest lines of
 /// output, however small the terminal is.
 const OTHER_ROWS: usize = 20;
-const FEWEST_LINES: usize = 10;
+const MIN_LINES: usize = 10;
 
 /// The space for the output of a program.
 #[derive(Clone, Copy)]
@@ -68,7 +68,7 @@ impl Screen {
         let lines = size.map_or(MAX_LINES, |(rows, _)| rows.saturating_sub(OTHER_ROWS));
         Space {
             width: self.width(),
-            lines: lines.clamp(FEWEST_LINES, MAX_LINES),
+            lines: lines.clamp(MIN_LINES, MAX_LINES),
         }
     }
 

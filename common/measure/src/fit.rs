@@ -14,7 +14,7 @@ const MAX_SCATTER: f64 = 0.15;
 const MAX_BEND: f64 = 0.2;
 
 /// The least range of a power law, in decades.
-const LEAST_DECADES: f64 = 1.0;
+const MIN_DECADES: f64 = 1.0;
 
 /// The least squares line of log error over log work, or over the log of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl Fit {
     /// Whether the points follow a power law: over a decade or more, they stray from the
     /// line by less than a factor of the square root of two, and it does not bend.
     pub fn is_power_law(&self) -> bool {
-        self.decades >= LEAST_DECADES && self.scatter <= MAX_SCATTER && !self.bends()
+        self.decades >= MIN_DECADES && self.scatter <= MAX_SCATTER && !self.bends()
     }
 
     /// Whether the slope changes, beyond the noise of the points around the bent curve: the standard
@@ -93,7 +93,7 @@ impl Fit {
 /// The slope with its interval, or the reason why there is none.
 impl fmt::Display for Fit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.decades < LEAST_DECADES {
+        if self.decades < MIN_DECADES {
             f.write_str("no power law: less than a decade")
         } else if self.scatter > MAX_SCATTER {
             let factor = libm::pow(10.0, self.scatter).min(99.0);

@@ -23,7 +23,7 @@ pub struct Measured<'a> {
 }
 
 /// The least processor time of a measurement in seconds, for which short runs are repeated.
-const LEAST_TIME: f64 = 1e-3;
+const MIN_TIME: f64 = 1e-3;
 
 impl<'a> Measured<'a> {
     /// Measures errors, then times in a number of [`Rounds`].
@@ -36,7 +36,7 @@ impl<'a> Measured<'a> {
         mut progress: impl FnMut(usize, usize),
     ) -> Self {
         let curves = (experiment.curves)();
-        let mut rounds = Rounds::new(&curves, rounds, LEAST_TIME);
+        let mut rounds = Rounds::new(&curves, rounds, MIN_TIME);
         let mut measured = Self { experiment, curves };
         let [mut last, all] = rounds.progress();
         progress(last, all);

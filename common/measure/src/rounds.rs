@@ -5,7 +5,7 @@ use common::Median;
 use crate::experiment::Curve;
 
 /// The fewest rounds, and the time in seconds that is enough for all rounds of an experiment.
-const FEWEST_ROUNDS: usize = 9;
+const MIN_ROUNDS: usize = 9;
 const ENOUGH_TIME: f64 = 6.0;
 
 /// The most runs of a measurement.
@@ -76,7 +76,7 @@ impl Rounds {
     /// Whose turn it is; none at the end.
     pub fn turn(&self) -> Option<Turn> {
         let (round, turn) = *self.turns.get(self.done)?;
-        if round >= FEWEST_ROUNDS && self.total > ENOUGH_TIME {
+        if round >= MIN_ROUNDS && self.total > ENOUGH_TIME {
             return None;
         }
         let runs = self.times[turn.curve][turn.point].runs.max(1);

@@ -8,7 +8,7 @@ use crate::{Data, Error, Item, SceneFile};
 const SHOWN: [&str; 4] = ["color", "background", "diffuse", "specular"];
 
 /// A light of at least this, in whole numbers up to 255, was probably meant in bytes.
-const LEAST_OF_BYTES: f64 = 32.0;
+const MIN_OF_BYTES: f64 = 32.0;
 
 impl SceneFile {
     /// The notes about the meshes and the remarks on this file, which has this name and this text.
@@ -83,7 +83,7 @@ fn add_bright_colors(item: &Item, bright: &mut Vec<Error>) {
         let are_bytes = channels.iter().all(|c| c.fract() == 0.0 && *c <= 255.0);
         // Light may be brighter than 1, as it may fall at a slant, or on dark surfaces.
         let is_bright = if is_light && *key == "color" || *key == "ambient" {
-            are_bytes && largest >= LEAST_OF_BYTES
+            are_bytes && largest >= MIN_OF_BYTES
         } else {
             SHOWN.contains(key) && largest > 1.0
         };

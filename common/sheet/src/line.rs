@@ -5,7 +5,7 @@ use common::Size;
 use crate::measure::Values;
 
 /// The least difference between the ends of an edge: 2 of 255 bytes are noise of rounding.
-const LEAST_STEP: f64 = 2.5 / 255.0;
+const MIN_STEP: f64 = 2.5 / 255.0;
 
 /// A line from pixel to pixel, whose centres have whole coordinates. Its value at a place is the mean across
 /// several parallel lines, each a pixel beside the last; this one is in their middle.
@@ -79,7 +79,7 @@ impl Line {
         let at = |i: u32| self.value(values, step * f64::from(i));
         let course: Vec<_> = (0..=count).map(at).collect();
         let (first, last) = (course[0], course[course.len() - 1]);
-        if (last - first).abs() < LEAST_STEP {
+        if (last - first).abs() < MIN_STEP {
             return Err(format!(
                 "there is no edge: the value is {first:.3} at the beginning of the line and {last:.3} at its end"
             ));

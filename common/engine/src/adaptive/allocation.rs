@@ -37,7 +37,7 @@ pub struct Target {
 }
 
 /// Spare samples lower the error at most to this part of the target.
-const LOWEST_ERROR: f64 = 1.0 / 16.0;
+const MIN_ERROR: f64 = 1.0 / 16.0;
 
 /// The pairs of samples for each class of variances.
 pub struct Allocation {
@@ -56,7 +56,7 @@ impl Allocation {
             let (error, _) = expect(first);
             let (_, samples) = expect(first - 1);
             error > target.error
-                || (samples <= target.spare_samples && error > LOWEST_ERROR * target.error)
+                || (samples <= target.spare_samples && error > MIN_ERROR * target.error)
         };
         let (mut enough, mut too_little) = (1, CLASSES + 1);
         while too_little - enough > 1 {

@@ -6,7 +6,7 @@ use crate::functions::*;
 use crate::workbench::*;
 
 /// Rays that carry less of the pixel than this are not followed.
-const LEAST_WEIGHT: f64 = 1e-6;
+const MIN_WEIGHT: f64 = 1e-6;
 
 /// The sky of the book's picture, just above the board.
 const HORIZON: Color = Color::new(0.75, 0.78, 0.8);
@@ -53,7 +53,7 @@ impl World {
     }
 
     fn trace(&self, ray: &Ray, depth: u32, weight: f64) -> Seen {
-        if depth == 0 || weight < LEAST_WEIGHT {
+        if depth == 0 || weight < MIN_WEIGHT {
             return Seen {
                 light: Color::BLACK,
                 rays: 0,

@@ -46,7 +46,7 @@ const DECISIONS: usize = 8;
 /// The distance from an edge at which the colours are asked for, relative to the reach.
 const BESIDE: f64 = 1e-7;
 /// A jump of at most this fraction of the colour is none: a byte has 255 steps.
-const LEAST_JUMP: f64 = 1e-6;
+const MIN_JUMP: f64 = 1e-6;
 /// A change of at most this fraction of the colour is rounding. It allows some hundred roundings,
 /// which a grazing ray can make larger.
 const ROUNDING: f64 = 1e-12;
@@ -229,7 +229,7 @@ impl Search<'_> {
         let jump = minus(at_far, at_near);
         let scale = magnitude(at_near).max(magnitude(at_far));
         let around = difference(at_near, before) + difference(behind, at_far);
-        let is_jump = magnitude(jump) > LEAST_JUMP * scale && magnitude(jump) > 2.0 * around;
+        let is_jump = magnitude(jump) > MIN_JUMP * scale && magnitude(jump) > 2.0 * around;
         is_jump.then_some(Edge {
             distance: offset,
             jump,
@@ -243,7 +243,7 @@ impl Search<'_> {
         let pairs = probes.windows(2).map(|pair| (change(pair), pair));
         let (greatest, pair) = pairs.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let scale = magnitude(pair[0].state.color).max(magnitude(pair[1].state.color));
-        if greatest <= LEAST_JUMP * scale {
+        if greatest <= MIN_JUMP * scale {
             return None;
         }
         let mut near = (pair[0].offset, pair[0].state.color);
@@ -252,7 +252,7 @@ impl Search<'_> {
             let offset = near.0 + (far.0 - near.0) / 2.0;
             let color = self.pixel.color(self.value + offset)?;
             let [left, right] = [difference(near.1, color), difference(color, far.1)];
-            if left.max(right) < (greatest / 16.0).max(LEAST_JUMP * scale) {
+            if left.max(right) < (greatest / 16.0).max(MIN_JUMP * scale) {
                 return None;
             }
             if left >= right {
