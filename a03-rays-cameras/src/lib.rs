@@ -20,7 +20,7 @@ mod view;
 
 #[cfg(not(target_family = "wasm"))]
 pub use crate::adapter::inspector::inspector;
-pub use crate::adapter::kinds;
+pub use crate::adapter::registry;
 pub use crate::adapter::stage;
 pub use crate::adapter::traced_world::TracedWorld;
 pub use crate::adapter::views::{Views, traced_scene};

@@ -19,7 +19,7 @@ mod world;
 
 #[doc(hidden)]
 pub use crate::adapter::instruments;
-pub use crate::adapter::kinds;
+pub use crate::adapter::registry;
 pub use crate::adapter::stage;
 pub use axis_aligned_box::AxisAlignedBox;
 pub use geometry::Geometry;

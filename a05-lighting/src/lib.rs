@@ -22,7 +22,7 @@ mod spot_light;
 
 #[doc(hidden)]
 pub use crate::adapter::instruments;
-pub use crate::adapter::kinds;
+pub use crate::adapter::registry;
 pub use crate::adapter::stage;
 pub use directional_light::DirectionalLight;
 pub use lambert::Lambert;

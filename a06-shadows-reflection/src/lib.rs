@@ -16,7 +16,7 @@ mod surface;
 
 #[doc(hidden)]
 pub use crate::adapter::instruments;
-pub use crate::adapter::kinds;
+pub use crate::adapter::registry;
 pub use crate::adapter::{RecursiveWorld, stage, traced, traced_with};
 pub use light_source::LightSource;
 pub use mirror_direction::mirror_direction;

@@ -11,7 +11,7 @@ mod node;
 pub mod scenes;
 mod transform;
 
-pub use crate::adapter::{kinds, stage, traced};
+pub use crate::adapter::{registry, stage, traced};
 pub use disc::Disc;
 pub use mat4x4::Mat4x4;
 pub use node::Node;

@@ -1,10 +1,10 @@
 //! The code that joins the lesson with its program, the engine and scene files: the scenes by name, the choice of
-//! the renderer, a row for each camera (`kinds`), and wrappers that count and record (`instruments`).
+//! the renderer, a row for each camera (`registry`), and wrappers that count and record (`instruments`).
 
 #[cfg(not(target_family = "wasm"))]
 pub mod inspector;
 pub mod instruments;
-pub mod kinds;
+pub mod registry;
 mod renderer;
 mod stage;
 pub mod traced_world;

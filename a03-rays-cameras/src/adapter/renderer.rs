@@ -4,7 +4,7 @@ use common::{Error, Image, Progress, Renderer, Settings};
 use engine::adaptive::KnownLight;
 
 use super::instruments::{self, Instruments};
-use super::kinds;
+use super::registry;
 use crate::{Camera, Ray, View, render};
 
 impl View {
@@ -14,12 +14,12 @@ impl View {
         if settings.renderer == Renderer::Engine
             && let Some(scene) = self.world.for_engine(settings.depth)
         {
-            return kinds::render(scene, &*self.camera, settings, progress);
+            return registry::render(scene, &*self.camera, settings, progress);
         }
         let bounds = settings.max_error.map(|max_error| {
             let scene = self.world.for_engine(settings.depth);
             let of_scene = |scene: engine::Scene| {
-                let camera = kinds::camera_for_engine(&*self.camera);
+                let camera = registry::camera_for_engine(&*self.camera);
                 scene.known_light(&camera, settings.size)
             };
             let known = scene.map_or_else(|| KnownLight::up_to(f64::INFINITY), of_scene);

@@ -7,7 +7,7 @@ use common::{
     ArgumentError, Color, Edits, Error, Image, PixelTrace, Progress, Scene, Settings, Size, Traced,
 };
 
-use super::kinds::NumberedFile;
+use super::registry::NumberedFile;
 use crate::View;
 
 /// Where the camera and the world of a traced scene come from.

@@ -5,7 +5,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 
 pub use crate::number::Triple;
-use a04_intersections::kinds::{Content, ShapeKind};
+use a04_intersections::registry::{Content, ShapeKind};
 use a04_intersections::{Geometry, Interval, Triangle};
 
 /// The numbers of a shape under a key of its table in a scene file; NaN if it has not `N` numbers.

@@ -2,7 +2,7 @@
 //! shape (`kinds`), and wrappers that count and record (`instruments`).
 
 pub mod instruments;
-pub mod kinds;
+pub mod registry;
 mod stage;
 
 pub use stage::stage;

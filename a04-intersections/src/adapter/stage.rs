@@ -8,7 +8,7 @@ use common::{Color, Stage};
 use scene_file::WrittenShape;
 
 use crate::instruments::{instrumented, objects};
-use crate::kinds::{self, KINDS};
+use crate::registry::{self, ALL_SHAPES};
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 use crate::{Interval, World};
 
@@ -38,7 +38,7 @@ pub fn stage() -> Stage {
         name: "a04-intersections",
         about: "Where rays meet planes, boxes, triangles and spheres",
         scenes,
-        open: Some(|path| kinds::FORMAT.open(path)),
+        open: Some(|path| registry::FORMAT.open(path)),
     }
 }
 
@@ -48,11 +48,11 @@ impl TracedWorld for World<Color> {
     }
 
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
-        Some(kinds::for_engine(self))
+        Some(registry::for_engine(self))
     }
 
     fn written_shapes(&self) -> Vec<WrittenShape> {
-        KINDS.written(self)
+        ALL_SHAPES.written(self)
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
@@ -67,7 +67,7 @@ impl TracedWorld for World<Color> {
         if let Instruments::Silent(_) = instruments {
             return self;
         }
-        let world = instrumented::world(*self, KINDS, |color| color);
+        let world = instrumented::world(*self, ALL_SHAPES, |color| color);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
             if steps::is_tracing() {

@@ -1,6 +1,6 @@
 //! Texts that are right, broken, and random, compared with the solution.
 
-use a04_intersections::kinds::{Content, ShapeKind};
+use a04_intersections::registry::{Content, ShapeKind};
 
 use crate::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::kinds::{Mesh, ShapeKind};
+use a04_intersections::registry::{Mesh, ShapeKind};
 use a04_intersections::{Geometry, Interval};
 use scene_file::SceneFile;
 

@@ -3,7 +3,7 @@
 pub use a02_math::arrays::{point, vector};
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::kinds::{FORMAT, KINDS};
+use a04_intersections::registry::{ALL_SHAPES, FORMAT};
 use a04_intersections::{Geometry, Hit, Interval};
 use random_scene::{Numbers, SceneText, Style};
 use scene_file::{Error, FirstMistake};
@@ -58,7 +58,7 @@ pub fn random_shapes(seed: u64) -> Vec<Box<dyn Geometry>> {
 fn shapes(text: &SceneText) -> Result<Vec<Box<dyn Geometry>>, Error> {
     let file = FORMAT.read(&text.scene, &|name| text.mesh(name))?;
     let mut first = FirstMistake::of(&file);
-    let objects = KINDS.read_objects(&file, &mut first, |_| Ok(()));
+    let objects = ALL_SHAPES.read_objects(&file, &mut first, |_| Ok(()));
     let shapes = objects.into_iter().map(|(shape, ())| shape);
     first.result(Some(shapes.collect()))
 }

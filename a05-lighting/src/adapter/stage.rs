@@ -5,13 +5,13 @@ use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use a04_intersections::instruments::instrumented::push_background;
 use a04_intersections::instruments::objects;
-use a04_intersections::kinds::KINDS as SHAPES;
+use a04_intersections::registry::ALL_SHAPES;
 use common::{Color, Stage};
 use scene_file::{WrittenLight, WrittenShape};
 
 use crate::LitWorld;
 use crate::instruments::instrumented;
-use crate::kinds;
+use crate::registry;
 use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
@@ -46,7 +46,7 @@ pub fn stage() -> Stage {
         name: "a05-lighting",
         about: "Lights and materials: Lambert and Phong",
         scenes,
-        open: Some(|path| kinds::FORMAT.open(path)),
+        open: Some(|path| registry::FORMAT.open(path)),
     }
 }
 
@@ -56,17 +56,17 @@ impl TracedWorld for LitWorld {
     }
 
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
-        Some(kinds::for_engine(self))
+        Some(registry::for_engine(self))
     }
 
     fn written_shapes(&self) -> Vec<WrittenShape> {
-        SHAPES.written(self.objects())
+        ALL_SHAPES.written(self.objects())
     }
 
     fn written_lights(&self) -> Vec<WrittenLight> {
         let lights = self.lights().iter();
         lights
-            .map(|light| kinds::LIGHTS.written(&**light))
+            .map(|light| registry::LIGHTS.written(&**light))
             .collect()
     }
 
@@ -80,12 +80,13 @@ impl TracedWorld for LitWorld {
 
     fn instrumented(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
         let omissions = instruments.omissions();
-        let surface = |material| instrumented::material(material, kinds::KINDS, omissions);
+        let surface =
+            |material| instrumented::material(material, registry::ALL_MATERIALS, omissions);
         if let Instruments::Silent(_) = instruments {
             let world = instrumented::map_surfaces(*self, surface);
             return Box::new(move |ray: &Ray| world.color_for(ray));
         }
-        let world = instrumented::world(*self, SHAPES, surface, instrumented::light);
+        let world = instrumented::world(*self, ALL_SHAPES, surface, instrumented::light);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
             push_background(world.objects().background());

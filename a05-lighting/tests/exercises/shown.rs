@@ -2,7 +2,7 @@
 
 use a04_intersections::instruments::instrumented::push_background;
 use a05_lighting::instruments::instrumented::{self, push_light};
-use a05_lighting::kinds::KINDS;
+use a05_lighting::registry::ALL_MATERIALS;
 
 use crate::prelude::*;
 
@@ -26,7 +26,7 @@ pub fn shaded(
         let shown = match world.objects().hit(ray, Interval::AHEAD) {
             Some((hit, material)) => {
                 let diffuse = material.color_for(ray, &hit, &only_ambient);
-                instrumented::shaded(ray, &hit, KINDS, &**material, || {
+                instrumented::shaded(ray, &hit, ALL_MATERIALS, &**material, || {
                     color(diffuse, ray, &hit, world)
                 })
             }

@@ -2,7 +2,7 @@
 //! mirror (`kinds`), and wrappers that count and record (`instruments`).
 
 pub mod instruments;
-pub mod kinds;
+pub mod registry;
 mod stage;
 
 pub use stage::{RecursiveWorld, stage, traced, traced_with};

@@ -4,14 +4,14 @@
 use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use a04_intersections::instruments::objects;
-use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
-use a05_lighting::kinds::LIGHTS;
+use a04_intersections::registry::{ALL_SHAPES, Shapes};
+use a05_lighting::registry::LIGHTS;
 use common::{Color, Stage};
 use scene_file::{WrittenLight, WrittenShape};
 
 use crate::instruments::instrumented::InstrumentedWorld;
 use crate::scenes::{aab, sphere};
-use crate::{RecursiveTracer, ShadowedWorld, kinds};
+use crate::{RecursiveTracer, ShadowedWorld, registry};
 
 /// The stage for its program.
 #[must_use]
@@ -28,14 +28,14 @@ pub fn stage() -> Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
         scenes,
-        open: Some(|path| kinds::FORMAT.open(path)),
+        open: Some(|path| registry::FORMAT.open(path)),
     }
 }
 
 /// A view for the renderers, with shapes of this stage or a lower one.
 #[must_use]
 pub fn traced(view: View<ShadowedWorld>) -> View {
-    traced_with(view, SHAPES)
+    traced_with(view, ALL_SHAPES)
 }
 
 /// A view for the renderers, whose world may have these shapes.
@@ -58,7 +58,7 @@ impl TracedWorld for RecursiveWorld {
     }
 
     fn for_engine(&self, depth: u32) -> Option<engine::Scene<'_>> {
-        Some(kinds::for_engine(&self.world, depth, self.shapes))
+        Some(registry::for_engine(&self.world, depth, self.shapes))
     }
 
     fn written_shapes(&self) -> Vec<WrittenShape> {

@@ -1,7 +1,7 @@
 //! Worlds of mirrors, and a tracer with the student's code in it.
 
 use a03_rays_cameras::instruments::Instruments;
-use a04_intersections::kinds::KINDS as SHAPES;
+use a04_intersections::registry::ALL_SHAPES;
 use a06_shadows_reflection::instruments::instrumented::InstrumentedWorld;
 
 use crate::prelude::*;
@@ -72,7 +72,7 @@ pub fn traced_picture(
     settings: &Settings,
     color: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
 ) -> Result<Image, Error> {
-    let view = view.map(|world| InstrumentedWorld::new(world, SHAPES, Instruments::LESSON));
+    let view = view.map(|world| InstrumentedWorld::new(world, ALL_SHAPES, Instruments::LESSON));
     rendered(&view, settings, |world, ray, depth| {
         world.color(|world| color(world, ray, depth))
     })

@@ -3,7 +3,7 @@
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Ray, Sampler};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use a07_transforms::kinds::KINDS;
+use a07_transforms::registry::ALL_SHAPES;
 use a07_transforms::{Disc, Node, Transform};
 use common::{Color, Error, Settings, Size};
 use corpus::{Question, Shape, Step};
@@ -42,7 +42,7 @@ pub fn lesson(question: &Question) -> Result<Option<Hit>, Error> {
 pub fn engine(question: &Question) -> Result<Option<f64>, Error> {
     let world = world(question)?;
     let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
-    KINDS.add_objects(&mut scene, &world, |()| {
+    ALL_SHAPES.add_objects(&mut scene, &world, |()| {
         // The colour of a hit: t, and that there is one.
         let shade = |_: &_, hit: &engine::Hit| Color::new(hit.t, 1.0, 0.0);
         Surface::matt(Shading::Other(Box::new(shade)))

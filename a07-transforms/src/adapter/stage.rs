@@ -4,7 +4,7 @@ use a03_rays_cameras::{View, traced_scene};
 use a06_shadows_reflection::{ShadowedWorld, traced_with};
 use common::Stage;
 
-use crate::kinds;
+use crate::registry;
 use crate::scenes::{box_transformations, disc, sphere_transformation};
 
 /// The stage for its program.
@@ -29,12 +29,12 @@ pub fn stage() -> Stage {
         name: "a07-transforms",
         about: "Transformed geometry, the scene graph and the disc",
         scenes,
-        open: Some(|path| kinds::FORMAT.open(path)),
+        open: Some(|path| registry::FORMAT.open(path)),
     }
 }
 
 /// A view for the renderers, whose world may have nodes and discs.
 #[must_use]
 pub fn traced(view: View<ShadowedWorld>) -> View {
-    traced_with(view, kinds::KINDS)
+    traced_with(view, registry::ALL_SHAPES)
 }

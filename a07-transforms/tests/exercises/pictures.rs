@@ -1,7 +1,7 @@
 //! The scenes of this stage, with the student's code in them; and worlds of students' shapes.
 
 use a03_rays_cameras::instruments::Instruments;
-use a04_intersections::kinds::KINDS as SHAPES;
+use a04_intersections::registry::ALL_SHAPES;
 use a06_shadows_reflection::instruments::instrumented::InstrumentedWorld;
 
 use crate::prelude::*;
@@ -25,7 +25,7 @@ impl LitScene {
             let light = PointLight::new(Color::WHITE, point(self.lamp))?;
             let world = ShadowedWorld::empty(Color::BLACK, Color::gray(self.ambient))?;
             let world = world.lit_by(LightSource::new(light, self.casts_shadows));
-            let world = InstrumentedWorld::new(add(code, world)?, SHAPES, Instruments::LESSON);
+            let world = InstrumentedWorld::new(add(code, world)?, ALL_SHAPES, Instruments::LESSON);
             let color = |ray: &Ray| world.radiance(ray, settings.depth);
             paint(&diagonal_camera(self.eye)?, &color, settings)
         })

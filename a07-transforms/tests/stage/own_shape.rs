@@ -5,12 +5,12 @@ use std::path::Path;
 
 use a02_math::Vector3;
 use a03_rays_cameras::Ray;
-use a03_rays_cameras::kinds::Format;
-use a04_intersections::kinds::{Content, SHAPES as SIMPLE, ShapeKind, ShapeRow, Shapes};
+use a03_rays_cameras::registry::Format;
+use a04_intersections::registry::{Content, SHAPES as SIMPLE, ShapeKind, ShapeRow, Shapes};
 use a04_intersections::{Geometry, Hit, Interval};
-use a06_shadows_reflection::kinds::read_view;
+use a06_shadows_reflection::registry::read_view;
 use a06_shadows_reflection::traced_with;
-use a07_transforms::kinds::SHAPES as TRANSFORMED;
+use a07_transforms::registry::SHAPES as TRANSFORMED;
 use common::Settings;
 use scene_file::{Error, Item};
 
@@ -50,10 +50,10 @@ impl ShapeKind for Tile {
 const SECTION: &str = "a04-intersections.md#one-question-and-an-interval";
 const OWN: &[ShapeRow] = &[ShapeRow::of::<Tile>("box", SECTION)];
 /// The first row of a table reads it.
-const KINDS: Shapes = Shapes(&[OWN, SIMPLE, TRANSFORMED]);
+const ALL_SHAPES: Shapes = Shapes(&[OWN, SIMPLE, TRANSFORMED]);
 const FORMAT: Format = Format {
     stage: 7,
-    view: |file| Ok(traced_with(read_view(file, KINDS)?, KINDS)),
+    view: |file| Ok(traced_with(read_view(file, ALL_SHAPES)?, ALL_SHAPES)),
 };
 
 #[test]

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use a02_math::{Point3, Vector3};
-use a05_lighting::kinds::LIGHTS;
-use a07_transforms::kinds::KINDS;
+use a05_lighting::registry::LIGHTS;
+use a07_transforms::registry::ALL_SHAPES;
 use common::Color;
-use scene_file::{Form, Item, KINDS as TABLES, Key, Notation, SceneFile};
+use scene_file::{Form, Item, Key, Notation, SceneFile, TABLES};
 use testing::Random;
 
 use crate::scene_cases::{open, picture};
@@ -25,7 +25,7 @@ fn listed(is_light: bool) -> BTreeSet<&'static str> {
 #[test]
 fn each_row_of_shapes_has_a_table_and_each_table_a_row() {
     let mut tables = listed(false);
-    for row in KINDS.rows() {
+    for row in ALL_SHAPES.rows() {
         let is_listed = tables.remove(row.key);
         assert!(is_listed, "keys.md lacks {}, or it has two rows", row.key);
     }
@@ -106,7 +106,7 @@ fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
 /// Points at distances from 10^-12 to 10^5 from each vector of a table.
 fn points(item: &Item) -> Vec<Point3> {
     let vector = |key: &Key| item.find_vector(key.name, Vector3::new);
-    let keys = item.kind.keys.iter().filter(has_numbers);
+    let keys = item.kind.keys.iter().filter(|key| has_numbers(key));
     let vectors: Vec<_> = keys.filter_map(vector).collect();
     let mut points = Vec::new();
     for place in &vectors {
@@ -137,12 +137,12 @@ pub fn assert_in_the_book(section: &str) {
 
 #[test]
 fn the_book_has_the_section_of_each_row() {
-    for row in KINDS.rows() {
+    for row in ALL_SHAPES.rows() {
         assert_in_the_book(row.section);
     }
 }
 
-fn has_numbers(key: &&Key) -> bool {
+fn has_numbers(key: &Key) -> bool {
     matches!(key.form, Form::Numbers { .. })
 }
 
@@ -150,10 +150,10 @@ fn has_numbers(key: &&Key) -> bool {
 /// none is drawn differently by a renderer.
 #[test]
 fn a_shape_of_each_row_is_drawn_by_all_renderers_and_exported() {
-    for row in KINDS.rows() {
+    for row in ALL_SHAPES.rows() {
         let mut tables = TABLES.iter();
         let kind = tables.find(|kind| kind.name == row.key).expect(row.key);
-        if !kind.keys.iter().any(|key| has_numbers(&key)) {
+        if !kind.keys.iter().any(has_numbers) {
             // Meshes and groups consist of other shapes.
             continue;
         }

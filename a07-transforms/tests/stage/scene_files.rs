@@ -4,10 +4,10 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use a07_transforms::kinds::FORMAT;
+use a07_transforms::registry::FORMAT;
 use a07_transforms::stage;
 use common::{Color, Error, Renderer, Settings, Size, Transfer, picture_file};
-use scene_file::{KINDS, Mesh};
+use scene_file::{Mesh, TABLES};
 
 use crate::scene_cases::{open, open_by, picture_of, wrong_scenes};
 
@@ -30,7 +30,7 @@ fn each_scene_gets_its_error_note_or_picture() {
 
 #[test]
 fn two_examples_have_every_key() {
-    for kind in KINDS.iter() {
+    for kind in TABLES.iter() {
         for key in kind.keys.iter().filter(|key| !key.about.is_empty()) {
             let (table, name) = (kind.name, key.name);
             let line = format!("{name} = ");

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::{env, fs};
 
 use common::text;
-use scene_file::{FILE, Form, KINDS, Key, Kind, Missing, Notation, Range, color_names};
+use scene_file::{FILE, Form, Key, Kind, Missing, Notation, Range, TABLES, color_names};
 
 #[test]
 fn the_schema_is_current() {
@@ -20,7 +20,7 @@ fn the_schema_is_current() {
 /// The schema (draft 7) of all kinds.
 fn schema() -> String {
     let definition = |kind: &Kind| format!("\"{}\": {{\n{}\n}}", kind.name, object(kind));
-    let mut definitions: Vec<_> = KINDS.iter().map(definition).collect();
+    let mut definitions: Vec<_> = TABLES.iter().map(definition).collect();
     let names: Vec<_> = color_names().map(|name| format!("\"{name}\"")).collect();
     definitions.push(format!(
         "\"color_text\": {{\n\"anyOf\": [\n{{ \"type\": \"string\", \"pattern\": \
@@ -120,7 +120,7 @@ fn property(key: &Key, is_of_file: bool) -> String {
         ),
         Form::Numbers { .. } => numbers(key),
         Form::Tables(name) => {
-            let kind = KINDS.iter().find(|kind| kind.name == name).expect(name);
+            let kind = TABLES.iter().find(|kind| kind.name == name).expect(name);
             let mut table = format!(r##""$ref": "#/definitions/{name}""##);
             if is_of_file && kind.key("material").is_some() && !has_shapes(kind) {
                 let surface = ["color", "material"].map(required).join(", ");

@@ -1,9 +1,9 @@
 //! Scenes of the text that a reader writes on the page, as a scene file of the last stage.
 
 use a03_rays_cameras::Views;
-use a03_rays_cameras::kinds::NumberedFile;
-use a07_transforms::kinds::FORMAT;
-use a07_transforms::kinds::example_files::PYRAMID;
+use a03_rays_cameras::registry::NumberedFile;
+use a07_transforms::registry::FORMAT;
+use a07_transforms::registry::example_files::PYRAMID;
 use common::{Error, Renderer, Scene, Settings};
 use scene_file::{Mesh, SceneFile};
 

@@ -1,7 +1,7 @@
 //! Scene files of any bytes, and of any tables with any numbers. Each one is refused at a position
 //! within it, or rendered with finite numbers by the stage that reads it.
 
-use a03_rays_cameras::kinds::Format;
+use a03_rays_cameras::registry::Format;
 use arbitrary::Unstructured;
 use common::Transfer;
 use common::sensitivity::NumberPlace;
@@ -23,10 +23,10 @@ pub fn check(bytes: &[u8]) {
 /// Reads a scene file in each stage, and renders what is right of it.
 fn check_text(text: &str, meshes: Meshes) {
     let formats: [Format; 4] = [
-        a04_intersections::kinds::FORMAT,
-        a05_lighting::kinds::FORMAT,
-        a06_shadows_reflection::kinds::FORMAT,
-        a07_transforms::kinds::FORMAT,
+        a04_intersections::registry::FORMAT,
+        a05_lighting::registry::FORMAT,
+        a06_shadows_reflection::registry::FORMAT,
+        a07_transforms::registry::FORMAT,
     ];
     let settings = Settings {
         size: Size::new(3, 2).expect("a size"),

@@ -6,8 +6,8 @@
 use a03_rays_cameras::{Camera, Ray, View};
 use a04_intersections::{Geometry, Interval};
 use a06_shadows_reflection::ShadowedWorld;
-use a06_shadows_reflection::kinds::read_view;
-use a07_transforms::kinds::{FORMAT, KINDS};
+use a06_shadows_reflection::registry::read_view;
+use a07_transforms::registry::{ALL_SHAPES, FORMAT};
 use a07_transforms::traced;
 use arbitrary::{Result, Unstructured};
 use common::{Renderer, Sampling, Settings, Size};
@@ -122,7 +122,7 @@ impl Scene {
 
 fn view(text: &SceneText) -> std::result::Result<View<ShadowedWorld>, Error> {
     let file = FORMAT.read(&text.scene, &|name| text.mesh(name))?;
-    read_view(&file, KINDS)
+    read_view(&file, ALL_SHAPES)
 }
 
 /// Hits of rays of a length that a node may give them, and of any at all.

@@ -4,7 +4,7 @@ mod values;
 
 use std::collections::BTreeMap;
 
-use scene_file::{KINDS, Kind, Notation};
+use scene_file::{Kind, Notation, TABLES};
 
 use crate::numbers::{Below, Numbers, Style};
 use crate::{SceneText, list};
@@ -79,7 +79,7 @@ impl<'a> Writer<'a> {
                 self.head += table;
             }
         }
-        let lights = KINDS.iter().filter(|kind| kind.is_light());
+        let lights = TABLES.iter().filter(|kind| kind.is_light());
         let lights: Vec<_> = lights.collect();
         for _ in 0..self.numbers.below(5) {
             let light = self.numbers.one_of(&lights);
@@ -156,7 +156,7 @@ impl<'a> Writer<'a> {
     /// Adds shapes in the table of this prefix, inside of so many other tables.
     fn add_shapes(&mut self, prefix: &str, count: usize, level: usize) {
         let is_shape = |kind: &&Kind| kind.notation == Notation::Many && !kind.is_light();
-        let kinds = KINDS.iter().filter(is_shape);
+        let kinds = TABLES.iter().filter(is_shape);
         let kinds: Vec<_> = kinds
             .filter(|kind| kind.keys[0].stage <= self.stage)
             .collect();
@@ -203,6 +203,6 @@ impl<'a> Writer<'a> {
 
 /// The kind of tables of this name.
 fn kind(name: &str) -> &'static Kind {
-    let mut kinds = KINDS.iter();
+    let mut kinds = TABLES.iter();
     kinds.find(|kind| kind.name == name).expect(name)
 }

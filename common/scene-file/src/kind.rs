@@ -96,7 +96,7 @@ pub(crate) fn name(header: &str) -> &str {
 
 /// The kind of this name, which the list has.
 pub(crate) fn find(name: &str) -> &'static Kind {
-    let found = KINDS.iter().find(|kind| kind.name == name);
+    let found = TABLES.iter().find(|kind| kind.name == name);
     found.unwrap_or(&FILE)
 }
 
@@ -106,7 +106,7 @@ fn rows() -> impl Iterator<Item = Option<(&'static str, Key)>> {
 }
 
 /// The kinds of tables, in the order of the list.
-pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
+pub static TABLES: LazyLock<Vec<Kind>> = LazyLock::new(|| {
     let mut kinds: Vec<Kind> = Vec::new();
     for (header, key) in rows().flatten() {
         if header == "every shape" {
@@ -136,7 +136,7 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
 
 /// The scene file itself, whose keys are the kinds of tables. Steps stand in a transform only.
 pub static FILE: LazyLock<Kind> = LazyLock::new(|| {
-    let tables = KINDS
+    let tables = TABLES
         .iter()
         .filter(|kind| kind.notation != Notation::Inline);
     Kind {

@@ -1,7 +1,7 @@
 //! Scenes as text: reads the numbers of a scene from a TOML file, and writes the scenes of
 //! the engine as TOML and for POV-Ray.
 //!
-//! [`KINDS`] is the list of all tables and keys. [`SceneFile`] holds the numbers of a file with
+//! [`TABLES`] is the list of all tables and keys. [`SceneFile`] holds the numbers of a file with
 //! their positions. Each stage makes shapes, lights and materials of them with its own
 //! constructors, which check the ranges. The crate opens no file, so that it works in a browser.
 
@@ -32,7 +32,7 @@ pub use first_mistake::FirstMistake;
 pub use form::Form;
 pub use item::{Data, Item};
 pub use key::{Key, Missing};
-pub use kind::{FILE, KINDS, Kind, Notation};
+pub use kind::{FILE, Kind, Notation, TABLES};
 pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
 pub use range::Range;

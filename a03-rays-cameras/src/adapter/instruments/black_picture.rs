@@ -9,7 +9,7 @@ use common::pixel_trace::digits;
 use common::{Color, Progress, Renderer, Settings, Size};
 use engine::{Emitter, Phong, Scene, Shading, Surface};
 
-use crate::{Ray, View, camera_coordinates, kinds};
+use crate::{Ray, View, camera_coordinates, registry};
 
 /// Rays along each side of the picture that look for objects behind the camera.
 const RAYS: u32 = 6;
@@ -51,7 +51,7 @@ impl View {
         change(&mut scene);
         let light = FirstLight::default();
         // An error says that the light ended the rendering, or that there is no picture.
-        let _ = kinds::render(scene, &*self.camera, settings, &light);
+        let _ = registry::render(scene, &*self.camera, settings, &light);
         light.0.into_inner()
     }
 

@@ -4,7 +4,7 @@
 use a02_math::{Direction, Point3, Vector3};
 use common::{Edits, Size};
 
-use crate::kinds::kind;
+use crate::registry::kind;
 use crate::{Basis, Camera, Ray, View};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);

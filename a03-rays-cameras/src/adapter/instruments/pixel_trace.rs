@@ -5,7 +5,7 @@ use common::{Color, Error, Image, Omissions, PixelTrace, Renderer, Settings};
 
 use super::Instruments;
 use super::instrumented::push_ray;
-use crate::{Camera, Ray, Sampler, View, camera_coordinates, kinds, render};
+use crate::{Camera, Ray, Sampler, View, camera_coordinates, registry, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-per-pixel";
 const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
@@ -32,7 +32,7 @@ impl View {
         if settings.renderer == Renderer::Engine
             && let Some(scene) = self.world.for_engine(settings.depth)
         {
-            let light = kinds::light_at(scene, &*self.camera, settings);
+            let light = registry::light_at(scene, &*self.camera, settings);
             return trace_samples(settings, pixel, light);
         }
         let omissions = match settings.renderer {

@@ -8,7 +8,7 @@ use common::Color;
 use common::steps::{self, Outcome, Step, StepKind};
 
 use crate::instruments::objects;
-use crate::kinds::{Content, ShapeKind, ShapeRow, Shapes};
+use crate::registry::{Content, ShapeKind, ShapeRow, Shapes};
 use crate::{Geometry, Hit, Interval, World};
 
 const WORLD: &str = "a04-intersections.md#hit-and-world";

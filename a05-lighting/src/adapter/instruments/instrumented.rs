@@ -6,10 +6,10 @@ use a02_math::Point3;
 use a02_math::arrays::array;
 use a04_intersections::Geometry;
 use a04_intersections::instruments::instrumented as geometries;
-use a04_intersections::kinds::Shapes;
+use a04_intersections::registry::Shapes;
 use common::steps::{self, Step, StepKind, type_name};
 
-use crate::kinds::LIGHTS;
+use crate::registry::LIGHTS;
 use crate::{Illumination, Light, LitWorld};
 
 pub use material::{InstrumentedMaterial, material, shaded};

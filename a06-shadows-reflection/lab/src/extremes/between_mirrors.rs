@@ -5,7 +5,7 @@
 
 use a02_math::Point3;
 use a03_rays_cameras::Ray;
-use a04_intersections::kinds::KINDS as SHAPES;
+use a04_intersections::registry::ALL_SHAPES;
 use a05_lighting::{DirectionalLight, SingleColor, instruments::instrumented};
 use common::steps::{self, StepKind};
 use common::{Color, Error};
@@ -80,7 +80,8 @@ fn searches(mirrors: Mirrors, depth: u32) -> Case {
     let count = |trace: fn(&ShadowedWorld, u32) -> Color| {
         tried(|| {
             let world = mirrors.world()?;
-            let world = instrumented::world(world, SHAPES, |surface| surface, |(_, light)| light);
+            let world =
+                instrumented::world(world, ALL_SHAPES, |surface| surface, |(_, light)| light);
             let (_, counts) = steps::counted(|| trace(&world, depth))?;
             Ok(counts[StepKind::Test] as f64 / 2.0)
         })

@@ -2,7 +2,7 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::kinds::KINDS as SHAPES;
+use a04_intersections::registry::ALL_SHAPES;
 use a04_intersections::{Plane, Sphere, World};
 use a04_lab::rows;
 use a04_lab::support::{Triple, point};
@@ -65,7 +65,7 @@ pub fn under_a_light(height: f64) -> Case {
 fn shadow_rays(light: Point3) -> Outcome {
     tried(|| {
         let world = lit_from(light)?;
-        let world = instrumented::world(world, SHAPES, |surface| surface, |(_, light)| light);
+        let world = instrumented::world(world, ALL_SHAPES, |surface| surface, |(_, light)| light);
         let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&EYE_RAY, 1))?;
         Ok(counts[StepKind::Test] as f64 - 1.0)
     })

@@ -9,7 +9,7 @@ use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::instruments::instrumented::ray_step;
 use a03_rays_cameras::{Ray, TracedWorld};
 use a04_intersections::instruments::instrumented as geometries;
-use a04_intersections::kinds::Shapes;
+use a04_intersections::registry::Shapes;
 use a04_intersections::{Geometry, Hit, Interval};
 use a05_lighting::instruments::instrumented::{self as materials, InstrumentedMaterial};
 use a05_lighting::{Lighting, Material};
@@ -17,7 +17,7 @@ use common::steps::{self, Step, StepKind};
 use common::{Color, Omissions};
 
 use crate::instruments::omitting_tracer::OmittingTracer;
-use crate::kinds::KINDS;
+use crate::registry::ALL_MATERIALS;
 use crate::{LightSource, RecursiveTracer, ShadowedWorld, Surface};
 
 /// A world whose work is reported, or that does all work.
@@ -157,7 +157,7 @@ impl InstrumentedSurface {
             reflection: surface.mirror_reflectance(),
             instrumented: InstrumentedMaterial {
                 material: surface,
-                kinds: KINDS,
+                rows: ALL_MATERIALS,
                 gets_all_light: false,
                 omissions,
             },

@@ -16,7 +16,7 @@ use corpus::{Question, Shape, Step};
 use measure::extremes::{Case, Outcome, Refused, Row, tried};
 
 use crate::protocol::{self, normal_as_point, normal_as_vector, transposed_normal};
-use a07_transforms::kinds::KINDS;
+use a07_transforms::registry::ALL_SHAPES;
 use a07_transforms::{Mat4x4, Node, Transform};
 
 const DOWN: [f64; 3] = [0.0, 0.0, -1.0];
@@ -68,7 +68,7 @@ pub fn nearer_child(a: f64, b: f64) -> Case {
     let line = line([0.0; 3], DOWN);
     let theirs = tried(|| {
         let mut node = two_balls(a, b)?;
-        let children = KINDS.children_mut(&mut node).map(mem::take);
+        let children = ALL_SHAPES.children_mut(&mut node).map(mem::take);
         let hit = protocol::last_hit(&children.unwrap_or_default(), &line.raw_ray());
         Ok(hit.map(|hit| hit.t))
     });

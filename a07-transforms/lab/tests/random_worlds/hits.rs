@@ -7,7 +7,7 @@ use a03_rays_cameras::{Ray, View};
 use a04_intersections::{Geometry, Hit, Interval, World};
 use a05_lighting::{Lighting, Material};
 use a06_shadows_reflection::{ShadowedWorld, Surface};
-use a07_transforms::kinds::{FORMAT, KINDS};
+use a07_transforms::registry::{ALL_SHAPES, FORMAT};
 use a07_transforms::traced;
 use common::{Color, Settings, Size};
 use random_scene::Numbers;
@@ -83,7 +83,7 @@ fn shapes_are_met_as_in_the_list() {
     compare_scenes(0..60, |seed| {
         let file = file(FORMAT, &text(seed, style(seed), FORMAT)).ok()?;
         let mut first = FirstMistake::of(&file);
-        let objects = KINDS.read_objects(&file, &mut first, |_| Ok(()));
+        let objects = ALL_SHAPES.read_objects(&file, &mut first, |_| Ok(()));
         let mut shapes: Vec<_> = objects.into_iter().map(|(shape, ())| shape).collect();
         let mut random = Random::new(seed);
         let below = &mut |end| random.below(end);

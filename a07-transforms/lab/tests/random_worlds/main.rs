@@ -4,9 +4,9 @@
 //! `RANDOM_SCENES=3000 cargo test --release -p a07-lab --test random_worlds` compares thousands of scenes, in minutes.
 
 mod compare;
+mod coverage;
 mod edges;
 mod hits;
-mod kinds;
 mod levels;
 mod own_types;
 mod rays;

@@ -1,10 +1,10 @@
 //! Random scenes of stages 4 to 7, ordinary and extreme ones.
 
 use a03_rays_cameras::View;
-use a03_rays_cameras::kinds::Format;
+use a03_rays_cameras::registry::Format;
 use a06_shadows_reflection::ShadowedWorld;
-use a06_shadows_reflection::kinds::read_view;
-use a07_transforms::kinds::{FORMAT, KINDS};
+use a06_shadows_reflection::registry::read_view;
+use a07_transforms::registry::{ALL_SHAPES, FORMAT};
 use a07_transforms::traced;
 use random_scene::{SceneText, Style};
 use scene_file::{Error, SceneFile};
@@ -57,17 +57,17 @@ fn compare_stage(format: Format, count: u64) {
 
 #[test]
 fn all_renderers_draw_the_same_pictures_of_stage_4() {
-    compare_stage(a04_intersections::kinds::FORMAT, 60);
+    compare_stage(a04_intersections::registry::FORMAT, 60);
 }
 
 #[test]
 fn all_renderers_draw_the_same_pictures_of_stage_5() {
-    compare_stage(a05_lighting::kinds::FORMAT, 40);
+    compare_stage(a05_lighting::registry::FORMAT, 40);
 }
 
 #[test]
 fn all_renderers_draw_the_same_pictures_of_stage_6() {
-    compare_stage(a06_shadows_reflection::kinds::FORMAT, 40);
+    compare_stage(a06_shadows_reflection::registry::FORMAT, 40);
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn all_renderers_draw_the_same_pictures_of_stage_7() {
 /// The view of a seed, whose world has something more.
 fn view_with(seed: u64, add: impl Fn(ShadowedWorld, u64) -> Option<ShadowedWorld>) -> Option<View> {
     let file = file(FORMAT, &text(seed, style(seed), FORMAT)).ok()?;
-    let View { camera, world } = seen(seed, read_view(&file, KINDS).ok()?);
+    let View { camera, world } = seen(seed, read_view(&file, ALL_SHAPES).ok()?);
     let world = add(world, seed)?;
     Some(traced(View { camera, world }))
 }

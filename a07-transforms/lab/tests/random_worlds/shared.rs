@@ -1,6 +1,6 @@
 //! Shapes of a definition that stand in several places: the engine keeps one tree for them.
 
-use a07_transforms::kinds::FORMAT;
+use a07_transforms::registry::FORMAT;
 use common::{Image, Settings, Size};
 use random_scene::SceneText;
 

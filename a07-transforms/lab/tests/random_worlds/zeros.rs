@@ -1,6 +1,6 @@
 //! The sign of a 0 in a scene file changes no picture.
 
-use a07_transforms::kinds::FORMAT;
+use a07_transforms::registry::FORMAT;
 use common::{Settings, Size};
 use random_scene::{SceneText, Style};
 

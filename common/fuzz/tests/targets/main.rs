@@ -4,7 +4,7 @@ mod numbers;
 
 use std::fs;
 
-use a07_transforms::kinds::example_files;
+use a07_transforms::registry::example_files;
 use arbitrary::Unstructured;
 use fuzz::{images, scene_files, scenes};
 use testing::{Random, for_seeds};

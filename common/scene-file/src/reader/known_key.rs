@@ -7,7 +7,7 @@ use toml::de::DeString;
 use super::{Reader, error};
 use crate::error::nearest;
 use crate::synonyms::known_for;
-use crate::{Error, Item, KINDS, Key, Kind, Notation, kind};
+use crate::{Error, Item, Key, Kind, Notation, TABLES, kind};
 
 impl Reader<'_> {
     /// The key of a table that has this name, if the stage knows it.
@@ -64,7 +64,7 @@ impl Reader<'_> {
             return format!("; write [[{name}.{}]]", item.kind.name);
         }
         // A key of the camera at the top of the file, or one of a shape below a material.
-        for owner in &*KINDS {
+        for owner in &*TABLES {
             if self.names(owner).contains(&name) && owner.notation != Notation::Many {
                 return match owner.name {
                     "define" => header_missing("[[group]]", item),
@@ -74,7 +74,7 @@ impl Reader<'_> {
             }
         }
         if !names.contains(&"color") && item.kind.name != "step" {
-            for owner in &*KINDS {
+            for owner in &*TABLES {
                 if self.names(owner).contains(&name) {
                     return header_missing(owner.header, item);
                 }

@@ -10,20 +10,20 @@ use a04_intersections::instruments::instrumented as geometries;
 use common::steps::{self, Outcome, Step, StepKind, type_name};
 use common::{Color, Omission, Omissions};
 
-use crate::kinds::Materials;
 use crate::power::power;
+use crate::registry::Materials;
 use crate::{Illumination, Lambert, Lighting, Material, Phong};
 
 /// Wraps this material, whose type may have one of these rows, to report its work; it leaves
 /// out the work of `omissions`.
 pub fn material(
     material: Box<dyn Material>,
-    kinds: Materials,
+    rows: Materials,
     omissions: Omissions,
 ) -> Box<dyn Material> {
     Box::new(InstrumentedMaterial {
         material,
-        kinds,
+        rows,
         gets_all_light: true,
         omissions,
     })
@@ -35,7 +35,7 @@ pub struct InstrumentedMaterial {
     /// The material.
     pub material: Box<dyn Material>,
     /// The rows of materials.
-    pub kinds: Materials,
+    pub rows: Materials,
     /// Whether black light, and light from behind the surface, reaches the material.
     pub gets_all_light: bool,
     /// The work that it leaves out.
@@ -51,8 +51,8 @@ impl Material for InstrumentedMaterial {
             lighting,
             is_used: Cell::new(false),
         };
-        let color = shaded(ray, hit, self.kinds, &*self.material, || {
-            match self.kinds.as_phong(&*self.material) {
+        let color = shaded(ray, hit, self.rows, &*self.material, || {
+            match self.rows.as_phong(&*self.material) {
                 Some(phong) if self.takes_every_power() => {
                     with_every_power(phong, ray, hit, &light)
                 }
@@ -87,23 +87,23 @@ fn with_every_power(phong: &Phong, ray: &Ray, hit: &Hit, lighting: &dyn Lighting
 pub fn shaded(
     ray: &Ray,
     hit: &Hit,
-    kinds: Materials,
+    rows: Materials,
     material: &dyn Material,
     shade: impl FnOnce() -> Color,
 ) -> Color {
     geometries::shaded(ray, hit, || {
         let color = shade();
         steps::heading(StepKind::Color, |kind| {
-            step(kind, "colour", kinds, material).with("c", color.channels())
+            step(kind, "colour", rows, material).with("c", color.channels())
         });
         color
     })
 }
 
 /// The step of a part of a material's colour.
-fn step(kind: StepKind, part: &str, kinds: Materials, material: &dyn Material) -> Step {
+fn step(kind: StepKind, part: &str, rows: Materials, material: &dyn Material) -> Step {
     let name = format!("{part} of {}", type_name(material));
-    Step::new(kind, name, kinds.section(material))
+    Step::new(kind, name, rows.section(material))
 }
 
 impl InstrumentedMaterial {
@@ -115,7 +115,7 @@ impl InstrumentedMaterial {
     /// The ambient light that the material reflects.
     fn ambient(&self, kind: StepKind, ray: &Ray, hit: &Hit, ambient: Color) -> Step {
         let of = |ambient| self.material.color_for(ray, hit, &OneLight(ambient, None));
-        step(kind, "ambient light", self.kinds, &*self.material)
+        step(kind, "ambient light", self.rows, &*self.material)
             .with("ca", ambient.channels())
             .with("cd", of(Color::WHITE).channels())
             .with("c", of(ambient).channels())
@@ -124,8 +124,8 @@ impl InstrumentedMaterial {
     /// The part of one light that the material reflects, and both terms of a Phong material.
     fn reflected(&self, kind: StepKind, ray: &Ray, hit: &Hit, light: &Illumination) -> Step {
         let only = OneLight(Color::BLACK, Some(*light));
-        let mut step = step(kind, "light", self.kinds, &*self.material);
-        if let Some(phong) = self.kinds.as_phong(&*self.material) {
+        let mut step = step(kind, "light", self.rows, &*self.material);
+        if let Some(phong) = self.rows.as_phong(&*self.material) {
             let diffuse = Color::BLACK;
             let highlight = Phong {
                 matt: Lambert { diffuse },
@@ -182,7 +182,7 @@ impl Lighting for InstrumentedLighting<'_> {
         let instrumented = self.instrumented;
         let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
         self.lighting.for_each_light(ray, hit, &mut |light| {
-            let phong = instrumented.kinds.as_phong(&*instrumented.material);
+            let phong = instrumented.rows.as_phong(&*instrumented.material);
             let takes_every_power = phong.is_some() && instrumented.takes_every_power();
             let is_seen = phong.is_some_and(|phong| is_seen(phong, ray, hit, light));
             steps::count(StepKind::Power, (takes_every_power || is_seen).into());

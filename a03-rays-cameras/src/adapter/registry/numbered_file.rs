@@ -7,7 +7,7 @@ use common::{Error, Settings};
 use scene_file::SceneFile;
 
 use crate::View;
-use crate::kinds::Format;
+use crate::registry::Format;
 
 /// The scene file that a scene was read from.
 pub struct NumberedFile {

@@ -7,7 +7,7 @@ use std::path::Path;
 use common::{Error, Sampling, Scene, Settings, Size, file, text};
 use scene_file::{FirstMistake, Item, Mesh, Meshes, SceneFile};
 
-use crate::kinds::NumberedFile;
+use crate::registry::NumberedFile;
 use crate::{View, Views};
 
 /// Most bytes of a scene file, and of a mesh.

@@ -1,4 +1,4 @@
-//! `kinds`: one row for each light and material of this stage: its section in the book and its
+//! `registry`: one row for each light and material of this stage: its section in the book and its
 //! numbers for the engine, and how a light is read from a scene file. All materials have one table
 //! there, which `read_phong` reads.
 //!
@@ -9,8 +9,8 @@ mod material_row;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::View;
-use a03_rays_cameras::kinds::{Format, read_camera};
-use a04_intersections::kinds::{KINDS as SHAPES, Shapes, Values};
+use a03_rays_cameras::registry::{Format, read_camera};
+use a04_intersections::registry::{ALL_SHAPES, Shapes, Values};
 use common::Color;
 use scene_file::{Error, FirstMistake, Item, SceneFile, exact_angle};
 
@@ -35,7 +35,7 @@ pub const MATERIALS: &[MaterialRow] = &[
 ];
 
 /// All materials that this stage knows.
-pub const KINDS: Materials = Materials(&[MATERIALS]);
+pub const ALL_MATERIALS: Materials = Materials(&[MATERIALS]);
 
 /// The scene files of this stage.
 pub const FORMAT: Format = Format { stage: 5, view };
@@ -150,9 +150,9 @@ impl MaterialKind for Phong {
 #[must_use]
 pub fn for_engine(world: &LitWorld) -> engine::Scene<'_> {
     let mut scene = engine::Scene::new(world.objects().background(), world.ambient(), 1);
-    SHAPES.add_objects(&mut scene, world.objects(), |material| {
+    ALL_SHAPES.add_objects(&mut scene, world.objects(), |material| {
         engine::Surface::matt(
-            KINDS.for_engine(&**material, |ray, hit| material.color_for(ray, hit, world)),
+            ALL_MATERIALS.for_engine(&**material, |ray, hit| material.color_for(ray, hit, world)),
         )
     });
     for light in world.lights() {
@@ -181,7 +181,7 @@ fn view(file: &SceneFile) -> Result<View, Error> {
         _ => LIGHTS.read(item),
     };
     let mut first = FirstMistake::of(file);
-    let world = read_world(file, &mut first, SHAPES, surface, without_shadows);
+    let world = read_world(file, &mut first, ALL_SHAPES, surface, without_shadows);
     let camera = first.keep(read_camera(file));
     let (world, camera) = first.result(world.zip(camera))?;
     Ok(View { camera, world }.boxed())

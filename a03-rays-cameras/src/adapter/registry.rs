@@ -1,4 +1,4 @@
-//! `kinds`: one row for each camera of this stage: how it is read from a scene file, and its
+//! `registry`: one row for each camera of this stage: how it is read from a scene file, and its
 //! numbers for the engine. A camera without a row is asked ray by ray.
 
 mod export;

@@ -1,4 +1,4 @@
-//! `kinds`: one row for each shape of this stage: its table in a scene file and how it is read and
+//! `registry`: one row for each shape of this stage: its table in a scene file and how it is read and
 //! written, its section in the book, and its numbers for the engine.
 //!
 //! A shape without a row works, too: the engine asks its `hit`, ray by ray.
@@ -12,7 +12,7 @@ mod written;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::View;
-use a03_rays_cameras::kinds::{Format, read_camera};
+use a03_rays_cameras::registry::{Format, read_camera};
 use common::{ArgumentError, Color};
 use glam::DVec3;
 use scene_file::{Error, FirstMistake, Item, SceneFile};
@@ -32,7 +32,7 @@ pub const SHAPES: &[ShapeRow] = &[
 ];
 
 /// All shapes that this stage knows.
-pub const KINDS: Shapes = Shapes(&[SHAPES]);
+pub const ALL_SHAPES: Shapes = Shapes(&[SHAPES]);
 
 /// The scene files of this stage.
 pub const FORMAT: Format = Format { stage: 4, view };
@@ -198,7 +198,7 @@ impl From<&engine::Hit> for Hit {
 #[must_use]
 pub fn for_engine(world: &World<Color>) -> engine::Scene<'_> {
     let mut scene = engine::Scene::new(world.background(), Color::BLACK, 1);
-    KINDS.add_objects(&mut scene, world, |color| {
+    ALL_SHAPES.add_objects(&mut scene, world, |color| {
         engine::Surface::matt(engine::Shading::SingleColor(*color))
     });
     scene
@@ -210,7 +210,7 @@ fn view(file: &SceneFile) -> Result<View, Error> {
     let item = &file.world;
     let empty = first.keep(item.check(World::new(item.color("background"))));
     let color = |item: &Item| item.vector("color", Color::new);
-    let objects = KINDS.read_objects(file, &mut first, color);
+    let objects = ALL_SHAPES.read_objects(file, &mut first, color);
     let camera = first.keep(read_camera(file));
     let (world, camera) = first.result(empty.zip(camera))?;
     let world = World { objects, ..world };

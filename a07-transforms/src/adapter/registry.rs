@@ -1,4 +1,4 @@
-//! `kinds`: one row for each shape of this stage: its table in a scene file and how it is read and
+//! `registry`: one row for each shape of this stage: its table in a scene file and how it is read and
 //! written, its section in the book, and its numbers for the engine.
 
 pub mod example_files;
@@ -6,12 +6,12 @@ pub mod example_files;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a03_rays_cameras::instruments::instrumented::ray_step;
-use a03_rays_cameras::kinds::Format;
+use a03_rays_cameras::registry::Format;
 use a04_intersections::Geometry;
-use a04_intersections::kinds::{
+use a04_intersections::registry::{
     Content, SHAPES as SIMPLE_SHAPES, ShapeKind, ShapeRow, Shapes, Shared,
 };
-use a06_shadows_reflection::kinds::read_view;
+use a06_shadows_reflection::registry::read_view;
 use common::pixel_trace::digits;
 use common::steps::{self, StepKind};
 use glam::{DMat4, DVec3};
@@ -27,12 +27,12 @@ pub const SHAPES: &[ShapeRow] = &[
 ];
 
 /// All shapes that this stage knows.
-pub const KINDS: Shapes = Shapes(&[SIMPLE_SHAPES, SHAPES]);
+pub const ALL_SHAPES: Shapes = Shapes(&[SIMPLE_SHAPES, SHAPES]);
 
 /// The scene files of this stage.
 pub const FORMAT: Format = Format {
     stage: 7,
-    view: |file| read_view(file, KINDS).map(traced),
+    view: |file| read_view(file, ALL_SHAPES).map(traced),
 };
 
 impl ShapeKind for Disc {

@@ -1,11 +1,11 @@
-//! `kinds`: one row for each surface of this stage, and how mirrors and lights that cast shadows
+//! `registry`: one row for each surface of this stage, and how mirrors and lights that cast shadows
 //! are read from a scene file and translated for the engine.
 
-use a03_rays_cameras::kinds::{Format, read_camera};
+use a03_rays_cameras::registry::{Format, read_camera};
 use a03_rays_cameras::{Ray, View};
 use a04_intersections::Hit;
-use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
-use a05_lighting::kinds::{
+use a04_intersections::registry::{ALL_SHAPES, Shapes};
+use a05_lighting::registry::{
     LIGHTS, MATERIALS as LIT_MATERIALS, MaterialKind, MaterialRow, Materials, read_phong,
     read_single_color, read_world,
 };
@@ -20,12 +20,12 @@ pub const MATERIALS: &[MaterialRow] = &[MaterialRow::of::<Reflective>(
 )];
 
 /// All materials that this stage knows.
-pub const KINDS: Materials = Materials(&[LIT_MATERIALS, MATERIALS]);
+pub const ALL_MATERIALS: Materials = Materials(&[LIT_MATERIALS, MATERIALS]);
 
 /// The scene files of this stage.
 pub const FORMAT: Format = Format {
     stage: 6,
-    view: |file| read_view(file, SHAPES).map(traced),
+    view: |file| read_view(file, ALL_SHAPES).map(traced),
 };
 
 impl MaterialKind for Reflective {
@@ -50,7 +50,7 @@ pub fn for_engine(world: &ShadowedWorld, depth: u32, shapes: Shapes) -> engine::
             surface.color_for(ray, hit, &lighting)
         };
         engine::Surface {
-            shading: KINDS.for_engine(material, color),
+            shading: ALL_MATERIALS.for_engine(material, color),
             reflection: surface.mirror_reflectance(),
         }
     });

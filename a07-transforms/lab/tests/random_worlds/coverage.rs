@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use a07_transforms::kinds::FORMAT;
+use a07_transforms::registry::FORMAT;
 use random_scene::{MESHES, Style};
-use scene_file::KINDS;
+use scene_file::TABLES;
 
 use crate::scenes::text;
 
@@ -29,7 +29,7 @@ fn found(text: &str) -> Vec<String> {
         let (header, keys) = table.split_once('\n').unwrap_or((table, ""));
         let mut names = header.trim_matches(['[', ']']).rsplit('.');
         // Behind the name of a table, a material has one of its own.
-        let kind = names.find(|name| KINDS.iter().any(|kind| kind.name == *name));
+        let kind = names.find(|name| TABLES.iter().any(|kind| kind.name == *name));
         for (key, value) in keys.lines().filter_map(|line| line.split_once(" = ")) {
             found.push(format!("{} {key}", kind.expect(header)));
             let keys_of_steps = value.split(['{', ',']).filter(|_| key == "transform");
@@ -67,7 +67,7 @@ fn every_kind_of_input_occurs_in_random_scenes() {
     }
     let mut expected = vec!["two shapes at one place".to_owned()];
     // The settings of a picture are those of the tests.
-    for kind in KINDS.iter().filter(|kind| kind.name != "picture") {
+    for kind in TABLES.iter().filter(|kind| kind.name != "picture") {
         // Tables in a table have no meaning of their own.
         let keys = kind.keys.iter().filter(|key| !key.about.is_empty());
         expected.extend(keys.map(|key| format!("{} {}", kind.name, key.name)));
