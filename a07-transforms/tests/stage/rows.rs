@@ -48,10 +48,12 @@ fn each_table_of_lights_has_a_row() {
 fn no_light_is_brighter_than_its_bound_for_the_engine() {
     for row in LIGHTS.0 {
         let mut lit = 0;
-        for seed in 0..20 {
+        for seed in 0..40 {
             let text = table(row.key, seed);
             let file = SceneFile::read(&text, 7, &|_| unreachable!()).unwrap();
-            let light = LIGHTS.read(&file.lights[0]).unwrap();
+            let Ok(light) = LIGHTS.read(&file.lights[0]) else {
+                continue;
+            };
             let bound = engine::Light {
                 kind: LIGHTS.for_engine(&*light),
                 casts_shadows: true,
@@ -85,8 +87,8 @@ fn table(name: &str, seed: u64) -> String {
 fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
     for row in LIGHTS.0 {
         let mut seen = 0;
-        for seed in 0..60 {
-            let light = table(row.key, seed);
+        let lights = (0..200).map(|seed| table(row.key, seed));
+        for light in lights.filter(|light| light.contains("shadows = true")) {
             let without_shadows = light.replace("shadows = true", "shadows = false");
             let pictures = [light, without_shadows].map(|light| {
                 let text = format!(
@@ -95,11 +97,12 @@ fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
                     [[sphere]]\nmaterial = \"white\"\ncenter = [0, 0, 0]\nradius = 0.4\n\
                     [[box]]\nmaterial = \"white\"\nlbf = [-3, -3, -3]\nrun = [3, 3, 3]\n"
                 );
-                picture(&text, [16, 12])
+                // A direction may be no numbers but 0.
+                open(&text).is_ok().then(|| picture(&text, [16, 12]))
             });
             seen += u32::from(pictures[0] != pictures[1]);
         }
-        assert!(seen >= 3, "{}: {seen} shadows are seen", row.key);
+        assert!(seen >= 5, "{}: {seen} shadows are seen", row.key);
     }
 }
 
