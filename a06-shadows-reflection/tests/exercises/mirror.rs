@@ -13,8 +13,7 @@ pub fn exercise() -> Exercise<Code> {
                 |trace: &Code, ((centre, radius), reflection, [o, d], depth): (_, _, [_; 2], _)| {
                     let world = mirrors(centre, radius, reflection).ok()?;
                     let ray = Ray::derived(point(o), unit(d));
-                    let is_asked = !is_bent(&world, &ray, depth);
-                    is_asked.then(|| trace(&world, &ray, depth).channels())
+                    Some(trace(&world, &ray, depth).channels())
                 },
             ),
             Form::new(|trace: &Code, (height, reflection, depth)| {
@@ -31,21 +30,4 @@ pub fn exercise() -> Exercise<Code> {
         }),
         ..Exercise::default()
     }
-}
-
-/// Whether a leaning normal reflects the ray into a triangle. The lesson's tracer bends it, which is
-/// no part of this exercise.
-fn is_bent(world: &ShadowedWorld, ray: &Ray, depth: u32) -> bool {
-    let mut ray = *ray;
-    for _ in 0..depth {
-        let Some((hit, _)) = world.objects().hit(&ray, Interval::AHEAD) else {
-            return false;
-        };
-        let direction = (-ray.direction()).reflected_on(hit.normal);
-        if direction.dot(hit.geometric_normal) < 0.0 {
-            return true;
-        }
-        ray = secondary_ray(&ray, &hit, direction);
-    }
-    false
 }
