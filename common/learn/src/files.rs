@@ -6,8 +6,10 @@ use std::time::SystemTime;
 use std::{env, fs, io};
 
 use common::{text, workbook};
+use proc_macro2::TokenTree;
 
 use crate::exercise::Exercise;
+use crate::tokens;
 
 /// The folder of the workbook: of the package that `cargo run` runs, or else around the current folder.
 #[must_use]
@@ -73,25 +75,24 @@ pub fn starter(exercise: &Exercise) -> Result<String, String> {
     without_code(&read(&file)?).map_err(|error| format!("{file}: {error}"))
 }
 
-/// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})` of the
-/// same indent. The error is a clause.
+/// Leaves out the code of each `missing!("what", for_now, {…})`.
 fn without_code(solution: &str) -> Result<String, String> {
-    let mut parts = solution.split("missing!(");
-    let mut starter = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let line = starter.lines().last().unwrap_or_default();
-        let indent = &line[..line.len() - line.trim_start().len()];
-        let end = format!("\n{indent}}})");
-        let parts = part.split_once(", {");
-        let parts = parts.and_then(|(arguments, code)| Some((arguments, code.split_once(&end)?.1)));
-        let Some((arguments, rest)) = parts else {
-            return Err(
-                "a `missing!(…, {` must end with a line `})` of the same indent".to_owned(),
-            );
+    tokens::replace(solution, &|tokens| {
+        let [_, _, TokenTree::Group(call), ..] = tokens else {
+            return Ok(None);
         };
-        starter += &["testing::missing(", arguments, ")", rest].concat();
-    }
-    Ok(starter)
+        if !tokens::begin(tokens, &["missing", "!"]) {
+            return Ok(None);
+        }
+        let arguments: Vec<_> = call.stream().into_iter().collect();
+        match &*arguments {
+            [given @ .., comma, TokenTree::Group(_)] if comma.to_string() == "," => {
+                let given = &solution[tokens::range(given)];
+                Ok(Some((3, format!("testing::missing({given})"))))
+            }
+            _ => Err("a `missing!` must end with `, {`, the code, and `})`".to_owned()),
+        }
+    })
 }
 
 /// Whether the student has changed the file.
@@ -162,6 +163,24 @@ fn free_backup(file: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn starters_lack_the_code_and_nothing_else() {
+        let solution = "// missing!(\"a\", 1, {\nconst A: &str = \"missing!(0, 1, {2})\";\n\
+            fn f<'a>() -> Option<(char, &'a str)> {\n    missing!(\n        \"a }) b\", // It stays.\n        \
+            None::<(char, &'a str)>,\n        { /* }) */ Some(('\"', r#\"})\"#)) }\n    )\n}\n";
+        let starter = "// missing!(\"a\", 1, {\nconst A: &str = \"missing!(0, 1, {2})\";\n\
+            fn f<'a>() -> Option<(char, &'a str)> {\n    testing::missing(\"a }) b\", // It stays.\n        \
+            None::<(char, &'a str)>)\n}\n";
+        assert_eq!(without_code(solution).as_deref(), Ok(starter));
+        for (wrong, words) in [
+            ("fn f() { missing!(\"a\", 1, 2) }", "must end with"),
+            ("\nfn f() { missing!(\"a\", 1, {2} }", "line 2"),
+        ] {
+            let error = without_code(wrong).unwrap_err();
+            assert!(error.contains(words), "{error}");
+        }
+    }
 
     #[test]
     fn a_file_of_nearly_the_name_is_found_and_no_other() {

@@ -13,10 +13,10 @@ mod judgement;
 mod keys;
 mod lines;
 mod output;
+mod own_program;
 mod page;
 mod phase;
 mod process;
-mod program;
 mod progress;
 mod refusal;
 mod report;
@@ -25,6 +25,7 @@ pub mod sheet;
 mod submit;
 #[cfg(unix)]
 mod terminal;
+mod tokens;
 mod watch;
 mod wrap;
 
@@ -90,7 +91,7 @@ enum Command {
     /// Begins an exercise again, and keeps your file
     Reset(OrNext),
     Submit(submit::Submit),
-    Program(program::Program),
+    Program(own_program::Command),
     Sheet(sheet::Command),
 }
 
@@ -121,9 +122,7 @@ fn run() -> Result<String, String> {
         Some(Command::Book) => book::build(course),
         Some(Command::Reset(shown)) => with_chosen(&shown, course, files::reset),
         Some(Command::Submit(submit)) => submit.run(course),
-        Some(Command::Program(program)) => {
-            program.run(course).map(|words| Screen::new().wrap(&words))
-        }
+        Some(Command::Program(program)) => program.run(course),
         Some(Command::Sheet(sheet)) => sheet.run(),
     }
 }

@@ -4,7 +4,10 @@
 //! It is found by its words: a macro can hide a call, and nothing finds the lesson's text in another
 //! file.
 
+use proc_macro2::{Group, Literal, TokenStream, TokenTree};
+
 use crate::exercise::Exercise;
+use crate::tokens;
 
 /// For each exercise, words that its code has only if it calls the lesson, and such words of all.
 const LESSONS: &str = include_str!("lessons.txt");
@@ -30,70 +33,27 @@ fn is_of_name(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_'
 }
 
-/// The code without comments, and without the letters of its texts.
-fn code(text: &str) -> String {
-    let mut code = String::new();
-    let mut rest = text;
-    while let Some(letter) = rest.chars().next() {
-        if rest.starts_with("//") {
-            rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
-        } else if rest.starts_with("/*") {
-            rest = behind_comment(rest);
-            code.push(' ');
-        } else if let Some(after) = behind_text(&code, rest) {
-            rest = after;
-            code += "\"\"";
-        } else {
-            code.push(letter);
-            rest = &rest[letter.len_utf8()..];
+/// The tokens, of which the texts are empty.
+fn without_texts(tokens: TokenStream) -> TokenStream {
+    let without_text = |token| match token {
+        TokenTree::Literal(literal) if literal.to_string().contains(['"', '\'']) => {
+            Literal::string("").into()
         }
-    }
-    code
+        TokenTree::Group(bracket) => {
+            Group::new(bracket.delimiter(), without_texts(bracket.stream())).into()
+        }
+        other => other,
+    };
+    tokens.into_iter().map(without_text).collect()
 }
 
-/// What stands behind a comment between `/*` and `*/`, in which others may stand.
-fn behind_comment(text: &str) -> &str {
-    let mut rest = &text[2..];
-    loop {
-        match (rest.find("/*"), rest.find("*/")) {
-            (Some(inner), Some(end)) if inner < end => rest = behind_comment(&rest[inner..]),
-            (_, Some(end)) => return &rest[end + 2..],
-            (_, None) => return "",
-        }
-    }
-}
-
-/// What stands behind a text or a quotation mark that begins here; none if none begins.
-fn behind_text<'a>(before: &str, rest: &'a str) -> Option<&'a str> {
-    for mark in ["'\"'", "'\\\"'"] {
-        if let Some(after) = rest.strip_prefix(mark) {
-            return Some(after);
-        }
-    }
-    if let Some(raw) = rest
-        .strip_prefix('r')
-        .filter(|_| !before.ends_with(is_of_name))
-    {
-        let inside = raw.trim_start_matches('#');
-        let end = format!("\"{}", &raw[..raw.len() - inside.len()]);
-        let inside = inside.strip_prefix('"')?;
-        return Some(inside.split_once(&*end).map_or("", |(_, after)| after));
-    }
-    let mut letters = rest.strip_prefix('"')?.chars();
-    while let Some(letter) = letters.next() {
-        match letter {
-            '"' => break,
-            '\\' => drop(letters.next()),
-            _ => {}
-        }
-    }
-    Some(letters.as_str())
-}
-
-/// The code without space, and with `~` between two names.
+/// The code without space and comments, and with `~` between two names; none of a text that does not compile.
 fn joined(text: &str) -> String {
+    let tokens = tokens::read(text).unwrap_or_default();
+    // Any name may be written as a raw one.
+    let code = without_texts(tokens).to_string().replace("r#", "");
     let mut joined = String::new();
-    for word in code(text).split_whitespace() {
+    for word in code.split_whitespace() {
         if joined.ends_with(is_of_name) && word.starts_with(is_of_name) {
             joined.push('~');
         }
@@ -149,6 +109,9 @@ mod tests {
             "let quote = '\"'; std::fs::read(\"a\"); let other = '\\\"';",
             "/* /* */ */ std::net::connect()",
             "let a = r\"\\\"; std::fs::read(b); let c = \"\";",
+            "let a = c\"\\\\\"; std::fs::read(b); let c = br#\"\"#;",
+            "use std::r#fs as files;",
+            "fn f<'a>(c: &'a str) { let q = b'\"'; std::fs::read(c); }",
         ] {
             assert!(refusal(e, line).is_some(), "{line}");
         }

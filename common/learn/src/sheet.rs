@@ -1,6 +1,6 @@
 //! `sheet`: judges the student's own program by the pictures that it draws for an open sheet.
 
-mod run;
+mod own_program;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,10 +10,10 @@ use common::text;
 
 use crate::build::{Build, build_own};
 use crate::files::{self, with_path};
-use crate::program::MANIFEST;
+use crate::own_program::MANIFEST;
 use crate::screen::Screen;
 use crate::{print, told};
-pub use run::Program;
+pub use own_program::OwnProgram;
 
 /// The folder of the sheets.
 const SHEETS: &str = "common/sheet/sheets";
@@ -52,7 +52,7 @@ impl Command {
                 } else {
                     Facts::UntilOneFails
                 };
-                judge_program(sheet, folder, facts)
+                judge_own_program(sheet, folder, facts)
             }
         }
     }
@@ -152,7 +152,7 @@ fn about(sheet: &Sheet) -> String {
 }
 
 /// Builds the program, asks its pictures the facts, and prints what they say. The last words count the facts.
-fn judge_program(sheet: &Sheet, folder: &Path, facts: Facts) -> Result<String, String> {
+fn judge_own_program(sheet: &Sheet, folder: &Path, facts: Facts) -> Result<String, String> {
     let shown = text::path(folder);
     if !folder.join(MANIFEST).is_file() {
         return Err(format!(
@@ -169,7 +169,7 @@ fn judge_program(sheet: &Sheet, folder: &Path, facts: Facts) -> Result<String, S
         Build::Stopped => return Ok(String::new()),
     };
     let pictures = format!("out/sheets/{}", sheet.name);
-    let program = Program {
+    let program = OwnProgram {
         executable,
         folder: folder.to_owned(),
         pictures: files::shortest(&pictures),
@@ -190,7 +190,7 @@ fn judge_program(sheet: &Sheet, folder: &Path, facts: Facts) -> Result<String, S
     }
 }
 
-impl Program {
+impl OwnProgram {
     /// Asks the program's pictures the facts of a sheet.
     pub fn judge<'a>(&self, sheet: &'a Sheet, facts: Facts) -> Result<Judgement<'a>, String> {
         fs::create_dir_all(&self.pictures).map_err(with_path(&self.pictures))?;

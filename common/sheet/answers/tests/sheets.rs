@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use learn::sheet::Program;
+use learn::sheet::OwnProgram;
 use sheet::{Facts, Judgement, Row, Sheet};
 use toml::de::DeTable;
 
@@ -49,7 +49,7 @@ fn wrong_answers(sheet: &str) -> Vec<Wrong> {
 /// What the judge says about an answer.
 fn judged<'a>(sheet: &'a Sheet, variant: &str, seed: u32, facts: Facts) -> Judgement<'a> {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("sheets");
-    let program = Program {
+    let program = OwnProgram {
         executable: env!("CARGO_BIN_EXE_sheet-answers").into(),
         folder: env!("CARGO_MANIFEST_DIR").into(),
         pictures: folder.join(&sheet.name).join(format!("{variant}-{seed}")),

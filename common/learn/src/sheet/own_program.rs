@@ -1,4 +1,4 @@
-//! `Program`: the student's program, which draws one picture after the other within limits.
+//! `OwnProgram`: the student's program, which draws one picture after the other within limits.
 
 use std::ffi::OsStr;
 use std::path::{PathBuf, absolute};
@@ -13,7 +13,7 @@ use crate::process::{limited, run};
 use ::sheet::{Drawn, MARKED, Picture, Run, last_words, no_picture};
 
 /// The student's program.
-pub struct Program {
+pub struct OwnProgram {
     /// The file that runs.
     pub executable: PathBuf,
     /// Its folder, in which it runs.
@@ -24,7 +24,7 @@ pub struct Program {
     pub environment: Vec<(&'static str, String)>,
 }
 
-impl Program {
+impl OwnProgram {
     /// Draws a picture. The error is a sentence about the program.
     pub fn draw(&self, picture: &Picture, of: &Run, watcher: Watcher) -> Result<Drawn, String> {
         let file = self.pictures.join(of.file());

@@ -206,14 +206,23 @@ fn pictures_take_seconds_from_the_first_stage_on() {
 #[test]
 fn examples_are_left_out() {
     let text = "use crate::prelude::*;\n\ntesting::examples! {\n    f();\n}\n\nfn g() {\n}\n";
-    assert_eq!(in_program(text), "use super::*;\n\n\nfn g() {\n}\n");
-    assert_eq!(in_program("use a;\ntesting::examples! {}"), "use a;\n");
+    assert_eq!(
+        in_program(text).unwrap(),
+        "use super::*;\n\n\n\nfn g() {\n}\n"
+    );
+    let own = "// testing::examples! {\nconst A: &str = \"testing::examples! {}\";\n\
+        mod a { use crate::prelude::Ray; /* crate::prelude */ }\ntesting::examples! { /* } */ \"}\"; '}' }";
+    let kept = "// testing::examples! {\nconst A: &str = \"testing::examples! {}\";\n\
+        mod a { use super::Ray; /* crate::prelude */ }\n";
+    assert_eq!(in_program(own).unwrap(), kept);
 }
 
 #[test]
 fn public_names_are_found_behind_all_words() {
     let text = "pub const fn dot() {}\npub const LIMIT: f64 = 1.0;\npub unsafe fn raw() {}\n\
-        pub trait Shade {}\npub use std::fmt;\nfn own() {}\n    pub fn method() {}\n";
-    let lines = "\nmod a;\npub use a::{dot, LIMIT, raw, Shade};\n";
-    assert_eq!(module("a", text), lines);
+        pub trait Shade {}\npub use std::fmt;\nfn own() {}\nimpl A {\npub fn method() {}\n}\n\
+        /*\npub fn old() {}\n*/ #[inline] pub async unsafe fn later<T>() {}\n    pub(crate) fn near() {}\n\
+        const A: &str = r#\"\npub fn told() {}\"#;\nmacro_rules! a { () => { pub fn made() {} } }";
+    let lines = "\nmod a;\npub use a::{dot, LIMIT, raw, Shade, later, near};\n";
+    assert_eq!(module("a", text).unwrap(), lines);
 }

@@ -1,4 +1,4 @@
-//! `program`: brings the functions of exercises into a program of the student's, outside of the workbook.
+//! `own_program`: brings the functions of exercises into a program of the student's, outside of the workbook.
 //!
 //! The student has made the program by `cargo new`, and its `main.rs` is theirs: nothing here writes it.
 //! Its file `functions.rs` is written anew each time; a file in `functions` only as long as the student has
@@ -17,7 +17,8 @@ use common::text;
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
-use crate::sheet;
+use crate::screen::Screen;
+use crate::{sheet, tokens};
 pub use manifest::MANIFEST;
 
 /// Exercises whose functions take types that only their checks have.
@@ -26,7 +27,7 @@ const LEFT_OUT: [&str; 2] = ["chain", "stripe"];
 /// The stage of `mirror`, whose `trace` asks a tracer which lights reach a hit. This one calls the student's
 /// `is_shadowed`.
 const STAGE_OF_TRACER: &str = "a06-shadows-reflection";
-const TRACER: &str = include_str!("program/recursive_tracer.rs");
+const TRACER: &str = include_str!("own_program/recursive_tracer.rs");
 
 /// How `functions.rs` begins if no person wrote it.
 const FIRST_LINE: &str = "//! Your functions. `cargo learn program` writes this file anew";
@@ -52,12 +53,12 @@ pub use common::*;
 
 /// Brings your functions into a program of your own
 #[derive(clap::Args)]
-pub struct Program {
+pub struct Command {
     /// The folder of the program, which `cargo new` has made
     folder: PathBuf,
 }
 
-impl Program {
+impl Command {
     /// Brings the functions into the program, and returns which of them are the student's.
     pub fn run(&self, course: &[Exercise]) -> Result<String, String> {
         let folder = &self.folder;
@@ -94,7 +95,7 @@ impl Program {
                 "its Cargo.toml has new libraries: the next build takes about half a minute";
             lines.push(words.to_owned());
         }
-        Ok(lines.join("\n"))
+        Ok(Screen::new().wrap(&lines.join("\n")))
     }
 }
 
@@ -141,10 +142,10 @@ fn bring(
             continue;
         }
         let solution = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-        let workbooks = in_program(&files::read(&solution)?);
-        let yours = done.get(e.name).map(|text| in_program(text));
+        let workbooks = in_program(&files::read(&solution)?)?;
+        let yours = done.get(e.name).map(|text| in_program(text)).transpose()?;
         let text = yours.as_ref().unwrap_or(&workbooks);
-        functions += &module(e.name, text);
+        functions += &module(e.name, text)?;
         let names = if !write_unless_edited(folder, e.name, text, &workbooks)? {
             &mut brought.edited
         } else if yours.is_some() {
@@ -155,7 +156,7 @@ fn bring(
         names.push(e.name);
     }
     if stages.contains(&STAGE_OF_TRACER) {
-        functions += &module("recursive_tracer", TRACER);
+        functions += &module("recursive_tracer", TRACER)?;
         write_unless_edited(folder, "recursive_tracer", TRACER, TRACER)?;
     }
     let path = folder.join("src/functions.rs");
@@ -171,18 +172,15 @@ fn bring(
 }
 
 /// The text of an exercise's file in the program: without the examples, which need the check.
-fn in_program(text: &str) -> String {
-    let mut kept = Vec::new();
-    let mut is_example = false;
-    for line in text.lines() {
-        is_example |= line.starts_with("testing::examples!");
-        if !is_example {
-            kept.push(line);
+fn in_program(text: &str) -> Result<String, String> {
+    let text = tokens::replace(text, &|tokens| {
+        if tokens::begin(tokens, &["testing", ":", ":", "examples", "!"]) {
+            return Ok(Some((6, String::new())));
         }
-        is_example &= line != "}";
-    }
-    let text = kept.join("\n").trim_end().to_owned() + "\n";
-    text.replace("use crate::prelude::*;", "use super::*;")
+        let is_prelude = tokens::begin(tokens, &["crate", ":", ":", "prelude"]);
+        Ok(is_prelude.then(|| (4, "super".to_owned())))
+    })?;
+    Ok(text.trim_end().to_owned() + "\n")
 }
 
 /// The words between `pub` and the name of an item.
@@ -191,19 +189,25 @@ const BEFORE_NAME: [&str; 10] = [
 ];
 
 /// The lines of `functions.rs` for a file: its public names replace those of the workbook.
-fn module(name: &str, text: &str) -> String {
+fn module(name: &str, text: &str) -> Result<String, String> {
+    let words: Vec<_> = tokens::read(text)?
+        .into_iter()
+        .map(|token| token.to_string())
+        .collect();
     let mut names = Vec::new();
-    for line in text.lines() {
-        let item = line.strip_prefix("pub ").unwrap_or_default();
-        let mut words = item.split(|c: char| !c.is_alphanumeric() && c != '_');
-        if words
-            .next()
-            .is_some_and(|first| BEFORE_NAME.contains(&first))
-        {
-            names.extend(words.find(|word| !BEFORE_NAME.contains(word)));
+    for (at, word) in words.iter().enumerate() {
+        // Of `pub(crate)` a bracket is between them, too; the compiler says that it must be `pub`.
+        let item = words[at + 1..].iter().map(String::as_str);
+        let mut item = item.filter(|word| !word.starts_with('(')).peekable();
+        let is_named = |word: &&str| BEFORE_NAME.contains(word);
+        if word == "pub" && item.peek().is_some_and(is_named) {
+            names.extend(item.find(|word| !is_named(word)));
         }
     }
-    format!("\nmod {name};\npub use {name}::{{{}}};\n", names.join(", "))
+    Ok(format!(
+        "\nmod {name};\npub use {name}::{{{}}};\n",
+        names.join(", ")
+    ))
 }
 
 /// Writes a file of a function, and returns whether it has: one that is neither this text nor the
