@@ -22,9 +22,9 @@ mod refusal;
 mod report;
 mod screen;
 pub mod sheet;
-mod submit;
 #[cfg(unix)]
-mod terminal;
+mod signals;
+mod submit;
 mod tokens;
 mod watch;
 mod wrap;
@@ -107,6 +107,9 @@ pub fn main() -> ExitCode {
 
 /// Runs the command, and returns its words.
 fn run() -> Result<String, String> {
+    // Without it, `reset` repairs the terminal.
+    #[cfg(unix)]
+    let _ = signals::clean_up_at_signals();
     let course = exercise::read_all()?;
     let CommandLine { command, shown } = CommandLine::parse();
     match command {

@@ -1,9 +1,16 @@
-//! `run`: runs a program within limits, and stops it on request.
+//! `run`: runs a program within limits, and ends it on request.
 
+use std::collections::BTreeSet;
+#[cfg(unix)]
+use std::os::unix::process::CommandExt;
 use std::path::Path;
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use std::{io, thread};
+
+#[cfg(unix)]
+use rustix::process::{Pid, Signal, kill_process_group};
 
 /// Time between two looks at a running program.
 const PAUSE: Duration = Duration::from_millis(10);
@@ -25,23 +32,71 @@ pub fn limited(program: &Path) -> Command {
     shell
 }
 
+/// The programs that run, by the numbers of their processes. On Unix each is the first of a group, in which are
+/// all that it starts, such as a compiler.
+static RUNNING: Mutex<BTreeSet<u32>> = Mutex::new(BTreeSet::new());
+
+fn running() -> MutexGuard<'static, BTreeSet<u32>> {
+    RUNNING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends all programs, and does something before another one can begin.
+#[cfg(unix)]
+pub fn end_all(afterwards: impl FnOnce()) {
+    let running = running();
+    running.iter().for_each(|id| end_group(*id));
+    afterwards();
+}
+
+#[cfg(unix)]
+fn end_group(id: u32) {
+    // If it fails, the group has ended.
+    if let Some(id) = Pid::from_raw(id as i32) {
+        let _ = kill_process_group(id, Signal::KILL);
+    }
+}
+
 /// Runs a program without input until it ends, or until `goes_on` is false: then there is no
 /// status. Its pipes are closed on this side.
-pub fn run(
-    mut command: Command,
-    goes_on: &mut dyn FnMut() -> bool,
-) -> io::Result<Option<ExitStatus>> {
-    let mut child = command.stdin(Stdio::null()).spawn()?;
-    drop(command);
+pub fn run(command: Command, goes_on: &mut dyn FnMut() -> bool) -> io::Result<Option<ExitStatus>> {
+    let mut child = begin(command)?;
     loop {
-        if let Some(status) = child.try_wait()? {
+        if let Some(status) = status(&mut child)? {
             return Ok(Some(status));
         }
         if !goes_on() {
-            child.kill()?;
-            child.wait()?;
+            end(&mut child)?;
             return Ok(None);
         }
         thread::sleep(PAUSE);
     }
+}
+
+fn begin(mut command: Command) -> io::Result<Child> {
+    #[cfg(unix)]
+    command.process_group(0);
+    let mut running = running();
+    let child = command.stdin(Stdio::null()).spawn()?;
+    running.insert(child.id());
+    Ok(child)
+}
+
+fn status(child: &mut Child) -> io::Result<Option<ExitStatus>> {
+    let mut running = running();
+    let status = child.try_wait()?;
+    if status.is_some() {
+        running.remove(&child.id());
+    }
+    Ok(status)
+}
+
+fn end(child: &mut Child) -> io::Result<()> {
+    let mut running = running();
+    #[cfg(unix)]
+    end_group(child.id());
+    #[cfg(not(unix))]
+    child.kill()?;
+    child.wait()?;
+    running.remove(&child.id());
+    Ok(())
 }

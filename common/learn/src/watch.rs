@@ -33,9 +33,6 @@ pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<St
         keys: Keys::default(),
         saved: course.iter().map(files::saved).collect(),
     };
-    // Without it, `reset` repairs the terminal.
-    #[cfg(unix)]
-    let _ = crate::terminal::give_back_at_signals();
     let mut page = Page::new(first);
     loop {
         files::begin(page.exercise)?;
