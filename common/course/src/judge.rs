@@ -92,7 +92,7 @@ pub fn run(
             return without_answers(State::NeedsALook, message);
         }
         _ => {
-            let lacks = learn::lacks(&built.output);
+            let lacks = learn::lacks(e, text);
             let message = lacks.unwrap_or_else(|| sandbox.words(&built, "does not compile"));
             return without_answers(State::Wrong, &message);
         }

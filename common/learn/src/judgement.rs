@@ -15,6 +15,7 @@ use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::{limited, run};
 use crate::progress::Progress;
+use crate::public_items::public_items;
 use crate::refusal::refusal;
 use crate::report::Report;
 use crate::screen::Space;
@@ -82,13 +83,14 @@ fn build_and_run(
 }
 
 fn does_not_compile(e: &Exercise, printed: String) -> Report {
-    let lacks = lacks(&printed);
-    let place = format!("{}:", text::path(&files::yours(e)));
-    // The compiler would send the student into the check.
-    let words = match lacks {
-        Some(lacks) if !printed.contains(&place) => return Report::new(e, &lacks),
+    let file = files::yours(e);
+    let text = files::text_of(&file).unwrap_or_default();
+    let place = first_place_of_error(&printed);
+    let words = match lacks(e, &text) {
+        // The compiler would send the student into the check.
+        Some(lacks) if !place.starts_with(&*text::path(&file)) => return Report::new(e, &lacks),
         Some(lacks) => lacks,
-        None if first_place_of_error(&printed).contains("tests/exercises/") => {
+        None if place.contains("tests/exercises/") => {
             "the check calls your code by the names and in the forms of the starter; look at yours"
                 .to_owned()
         }
@@ -101,16 +103,19 @@ fn does_not_compile(e: &Exercise, printed: String) -> Report {
     }
 }
 
-/// The words about names that the check imports from a student's file, as its `module`, and that are not there, by
-/// what the compiler prints; none if all are there.
+/// What a student's file lacks of the public items of the starter, in words; none if all are there, or if the file
+/// cannot be read.
 #[must_use]
-pub fn lacks(printed: &str) -> Option<String> {
-    let mut names = Vec::new();
-    for import in printed.split("`module::").skip(1) {
-        let (name, _) = import.split_once('`')?;
-        names.push(format!("`{name}`"));
+pub fn lacks(e: &Exercise, text: &str) -> Option<String> {
+    let yours = public_items(text).ok()?;
+    let wanted = files::starter(e).and_then(|starter| public_items(&starter));
+    let mut lacking = Vec::new();
+    for item in wanted.ok()? {
+        if !yours.iter().any(|other| other.name == item.name) {
+            lacking.push(format!("`{}`", item.beginning));
+        }
     }
-    (!names.is_empty()).then(|| format!("the file lacks {}", names.join(" and ")))
+    (!lacking.is_empty()).then(|| format!("the file lacks {}", lacking.join(" and ")))
 }
 
 /// The file and the line of the compiler's first error.

@@ -18,6 +18,7 @@ mod page;
 mod phase;
 mod process;
 mod progress;
+mod public_items;
 mod refusal;
 mod report;
 mod screen;

@@ -17,6 +17,7 @@ use common::text;
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
+use crate::public_items::public_items;
 use crate::screen::Screen;
 use crate::{sheet, tokens};
 pub use manifest::MANIFEST;
@@ -183,31 +184,12 @@ fn in_program(text: &str) -> Result<String, String> {
     Ok(text.trim_end().to_owned() + "\n")
 }
 
-/// The words between `pub` and the name of an item.
-const BEFORE_NAME: [&str; 10] = [
-    "async", "const", "enum", "fn", "mut", "static", "struct", "trait", "type", "unsafe",
-];
-
 /// The lines of `functions.rs` for a file: its public names replace those of the workbook.
 fn module(name: &str, text: &str) -> Result<String, String> {
-    let words: Vec<_> = tokens::read(text)?
-        .into_iter()
-        .map(|token| token.to_string())
-        .collect();
-    let mut names = Vec::new();
-    for (at, word) in words.iter().enumerate() {
-        // Of `pub(crate)` a bracket is between them, too; the compiler says that it must be `pub`.
-        let item = words[at + 1..].iter().map(String::as_str);
-        let mut item = item.filter(|word| !word.starts_with('(')).peekable();
-        let is_named = |word: &&str| BEFORE_NAME.contains(word);
-        if word == "pub" && item.peek().is_some_and(is_named) {
-            names.extend(item.find(|word| !is_named(word)));
-        }
-    }
-    Ok(format!(
-        "\nmod {name};\npub use {name}::{{{}}};\n",
-        names.join(", ")
-    ))
+    let items = public_items(text)?.into_iter();
+    let names: Vec<_> = items.map(|item| item.name).collect();
+    let names = names.join(", ");
+    Ok(format!("\nmod {name};\npub use {name}::{{{names}}};\n"))
 }
 
 /// Writes a file of a function, and returns whether it has: one that is neither this text nor the

@@ -67,7 +67,7 @@ const EXERCISES: [&str; 10] = [
 const STEPS: &[(&str, &str)] = &[
     ("set_pixel", "start>to do|h>Hint|h>no further hint|h>Hint|loop>|right>: done|look>core path: 1 of 5 done, further: 0 of 6 done"),
     ("set_pixel", "wrong>: not yet|look>core path: 0 of 5|>: not yet|right>: done|look>core path: 1 of 5|>The diagonal, 10 minutes"),
-    ("diagonal", "panic>: not yet|loop>|h>Hint|broken>: does not compile|empty>: the file lacks `check`|delete>l.rs is deleted"),
+    ("diagonal", "panic>: not yet|loop>|h>Hint|broken>: does not compile|empty>: the file lacks `pub fn check`|delete>l.rs is deleted"),
     ("diagonal", ">to do|right>: done|l>done   core  a01  diagonal|delete>is deleted|l>       core  a01  diagonal"),
     ("diagonal", ">to do|right>: done|look>core path: 2 of 5"),
     ("diagonal", "z>h hint|n>exercises/products.rs"),

@@ -216,13 +216,3 @@ fn examples_are_left_out() {
         mod a { use super::Ray; /* crate::prelude */ }\n";
     assert_eq!(in_program(own).unwrap(), kept);
 }
-
-#[test]
-fn public_names_are_found_behind_all_words() {
-    let text = "pub const fn dot() {}\npub const LIMIT: f64 = 1.0;\npub unsafe fn raw() {}\n\
-        pub trait Shade {}\npub use std::fmt;\nfn own() {}\nimpl A {\npub fn method() {}\n}\n\
-        /*\npub fn old() {}\n*/ #[inline] pub async unsafe fn later<T>() {}\n    pub(crate) fn near() {}\n\
-        const A: &str = r#\"\npub fn told() {}\"#;\nmacro_rules! a { () => { pub fn made() {} } }";
-    let lines = "\nmod a;\npub use a::{dot, LIMIT, raw, Shade, later, near};\n";
-    assert_eq!(module("a", text).unwrap(), lines);
-}
