@@ -77,8 +77,8 @@ pub fn judge<C: 'static>(
         Reader::Student
     };
     // The grader compares, and its right answers are not where a student's program could read them.
-    let record = (!is_printed).then_some(&record);
-    let found = program.run(examples, record, folder, reader);
+    let right = (!is_printed).then_some(&record);
+    let found = program.run(examples, right, folder, reader);
     if let Some(image) = found.image.filter(|_| !is_printed) {
         say(&folder.save(&image, &format!("{}-{name}.png", folder.stage().name)));
     }
@@ -103,7 +103,8 @@ pub fn judge<C: 'static>(
         let rows = program.rows();
         let record = Record {
             rows,
-            ..Record::default()
+            mistakes: Vec::new(),
+            ..record
         };
         print!("{MARK}{record}");
     }
