@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+use common::text;
 use learn::files::with_path;
 
 use crate::outcome::{Graded, Judged, State};
@@ -119,12 +120,10 @@ fn csv(table: &[[String; 8]]) -> String {
     csv
 }
 
-/// The beginning of a message, without control characters.
-fn message(text: &str) -> String {
-    // The last two are in no text.
-    let is_shown = |c: char| c == '\n' || !(c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
-    let shown = |c: char| if is_shown(c) { c } else { ' ' };
-    text.chars().take(MESSAGE).map(shown).collect()
+/// The beginning of a message, in which control characters are seen; XML has none, and neither has it the last two.
+fn message(message: &str) -> String {
+    let beginning: String = message.chars().take(MESSAGE).collect();
+    text::visible_lines(&beginning).replace(['\u{fffe}', '\u{ffff}'], " ")
 }
 
 #[cfg(test)]
@@ -156,13 +155,13 @@ mod tests {
             ],
         }];
         let row = "\"Ada B.\",\"a04-intersections\",\"sphere\",\"wrong\",\"0.99\",\"'=1+1\",\
-                   \"sphere.rs\",\"a \"\"b\"\"\nc \"\r\n";
+                   \"sphere.rs\",\"a \"\"b\"\"\nc\\u{1b}\"\r\n";
         let folder = tempfile::tempdir().unwrap();
         write(folder.path(), &graded).unwrap();
         let csv = fs::read_to_string(folder.path().join("results.csv")).unwrap();
         assert!(csv.ends_with(row), "{csv}");
         let text = "Ada B.: 1 wrong, 2 not handed in\n  plane, torus: not handed in\n  \
-                    sphere: wrong, sphere.rs\n      a \"b\"\n      c \n";
+                    sphere: wrong, sphere.rs\n      a \"b\"\n      c\\u{1b}\n";
         assert_eq!(
             fs::read_to_string(folder.path().join("ada.txt")).unwrap(),
             text
