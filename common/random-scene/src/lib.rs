@@ -5,9 +5,10 @@ mod meshes;
 mod numbers;
 mod writer;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use scene_file::Mesh;
+use scene_file::{FILE, Form, Kind, Mesh};
+use toml::de::{DeTable, DeValue};
 
 pub use meshes::MESHES;
 pub use numbers::{Below, Numbers, Style};
@@ -52,6 +53,38 @@ impl SceneText {
 /// A table of this name with random values of its keys, but without the surface of a shape, for a stage.
 pub fn table(name: &str, below: Below, stage: u8) -> String {
     Writer::new(below, Style::Plain, stage, &|_| true).table(name)
+}
+
+/// The tables of a scene file with their keys, such as "sphere radius".
+pub fn keys(scene: &str) -> Result<BTreeSet<String>, toml::de::Error> {
+    let table = DeTable::parse(scene)?.into_inner();
+    let mut found = BTreeSet::new();
+    add_keys(&FILE, &DeValue::Table(table), &mut found);
+    Ok(found)
+}
+
+fn add_keys(kind: &Kind, value: &DeValue, found: &mut BTreeSet<String>) {
+    match value {
+        DeValue::Array(tables) => {
+            for table in tables.iter() {
+                add_keys(kind, table.get_ref(), found);
+            }
+        }
+        DeValue::Table(table) => {
+            for (name, value) in table {
+                let Some(key) = kind.key(name.get_ref()) else {
+                    // The name of a material or a definition.
+                    add_keys(kind, value.get_ref(), found);
+                    continue;
+                };
+                found.insert(format!("{} {}", kind.name, key.name));
+                if let Form::Tables(name) = key.form {
+                    add_keys(writer::kind(name), value.get_ref(), found);
+                }
+            }
+        }
+        _ => {}
+    }
 }
 
 fn list(numbers: &[f64]) -> String {

@@ -202,7 +202,7 @@ impl<'a> Writer<'a> {
 }
 
 /// The kind of tables of this name.
-fn kind(name: &str) -> &'static Kind {
+pub fn kind(name: &str) -> &'static Kind {
     let mut kinds = TABLES.iter();
     kinds.find(|kind| kind.name == name).expect(name)
 }

@@ -22,46 +22,30 @@ const TOGETHER: [(&str, &str); 10] = [
     ("light without shadows", "shadows = false"),
 ];
 
-/// The tables and keys of a scene, and what they say together.
-fn found(text: &str) -> Vec<String> {
-    let mut found = Vec::new();
-    for table in text.split("\n[") {
-        let (header, keys) = table.split_once('\n').unwrap_or((table, ""));
-        let mut names = header.trim_matches(['[', ']']).rsplit('.');
-        // Behind the name of a table, a material has one of its own.
-        let kind = names.find(|name| TABLES.iter().any(|kind| kind.name == *name));
-        for (key, value) in keys.lines().filter_map(|line| line.split_once(" = ")) {
-            found.push(format!("{} {key}", kind.expect(header)));
-            let keys_of_steps = value.split(['{', ',']).filter(|_| key == "transform");
-            found.extend(keys_of_steps.filter_map(|step| {
-                let (key, _) = step.split_once(" = ")?;
-                Some(format!("step {}", key.trim()))
-            }));
-            if key == "file" {
-                found.push(format!("mesh {value}"));
-            }
-        }
-    }
-    let together = TOGETHER.iter().filter(|(_, part)| text.contains(part));
-    found.extend(together.map(|(name, _)| (*name).to_owned()));
-    // All keys of a shape stand before its surface.
+/// Whether two shapes stand at one place: all keys of a shape stand before its surface.
+fn is_twice(text: &str) -> bool {
     let tables: Vec<_> = text.split("\n[[").collect();
-    let is_twice = tables.windows(2).any(|pair| {
+    tables.windows(2).any(|pair| {
         let surface = pair[0].rfind("\nmaterial").or(pair[0].rfind("\ncolor"));
         surface
             .is_some_and(|at| pair[0][..at].contains('\n') && pair[1].starts_with(&pair[0][..at]))
-    });
-    found.extend(is_twice.then(|| "two shapes at one place".to_owned()));
-    found.sort_unstable();
-    found.dedup();
-    found
+    })
 }
 
 #[test]
 fn every_kind_of_input_occurs_in_random_scenes() {
     let mut counts: HashMap<String, usize> = HashMap::new();
     for seed in 0..300 {
-        for name in found(&text(seed, Style::Plain, FORMAT).scene) {
+        let text = text(seed, Style::Plain, FORMAT).scene;
+        let mut found = random_scene::keys(&text).unwrap();
+        let together = TOGETHER.iter().filter(|(_, part)| text.contains(part));
+        found.extend(together.map(|(name, _)| (*name).to_owned()));
+        let meshes = MESHES.map(|name| format!("file = {name:?}"));
+        found.extend(meshes.into_iter().filter(|mesh| text.contains(mesh)));
+        if is_twice(&text) {
+            found.insert("two shapes at one place".to_owned());
+        }
+        for name in found {
             *counts.entry(name).or_default() += 1;
         }
     }
@@ -73,7 +57,7 @@ fn every_kind_of_input_occurs_in_random_scenes() {
         expected.extend(keys.map(|key| format!("{} {}", kind.name, key.name)));
     }
     expected.extend(TOGETHER.map(|(name, _)| name.to_owned()));
-    expected.extend(MESHES.map(|name| format!("mesh {name:?}")));
+    expected.extend(MESHES.map(|name| format!("file = {name:?}")));
     for name in &expected {
         let count = counts.get(name).copied().unwrap_or_default();
         println!("{name}: {count}");
