@@ -66,7 +66,7 @@ pub fn keys(scene: &str) -> Result<BTreeSet<String>, toml::de::Error> {
 fn add_keys(kind: &Kind, value: &DeValue, found: &mut BTreeSet<String>) {
     match value {
         DeValue::Array(tables) => {
-            for table in tables.iter() {
+            for table in tables {
                 add_keys(kind, table.get_ref(), found);
             }
         }

@@ -4,9 +4,6 @@
 /// Names every shape, light and camera.
 pub const SHAPES: &str = include_str!("../../../scenes/shapes.toml");
 
-/// Defines shapes, and uses and repeats them.
-pub const BOARD: &str = include_str!("../../../scenes/board.toml");
-
 /// The mesh that it names, as `pyramid.obj`.
 pub const PYRAMID: &[u8] = include_bytes!("../../../scenes/pyramid.obj");
 
