@@ -15,7 +15,7 @@ use random_scene::SceneText;
 use scene_file::Error;
 
 use crate::scene_files;
-use crate::values::{accepted, assert_unit, number, point, vector};
+use crate::values::{accepted, assert_unit, number, point, size_and_ray, vector};
 
 /// Renders the scene that the bytes make by all three renderers.
 pub fn check(bytes: &[u8]) {
@@ -27,6 +27,7 @@ pub fn check(bytes: &[u8]) {
     let Ok(view) = view(&scene.text) else {
         return;
     };
+    size_and_ray(u, &*view.camera).expect("numbers");
     for (shape, _) in view.world.objects().objects() {
         check_hits(u, shape).expect("numbers");
     }

@@ -2,10 +2,10 @@
 //! that make a scene or break a formula; and whatever constructors accept of them.
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera};
+use a03_rays_cameras::{Camera, Ray};
 use a07_transforms::Transform;
 use arbitrary::{Result, Unstructured};
-use common::ArgumentError;
+use common::{ArgumentError, Size};
 use random_scene::{Numbers, Style};
 
 /// Draws whole numbers from bytes; 0 behind their end.
@@ -50,13 +50,6 @@ pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
     }
 }
 
-/// A boxed trait object of the result of a constructor.
-macro_rules! boxed {
-    ($made:expr) => {
-        accepted($made).map(|made| Box::new(made) as _)
-    };
-}
-
 /// A chain of up to four steps; refused steps are skipped.
 pub fn transform(u: &mut Unstructured) -> Result<Transform> {
     let mut transform = Transform::IDENTITY;
@@ -76,25 +69,21 @@ pub fn transform(u: &mut Unstructured) -> Result<Transform> {
     Ok(transform)
 }
 
-/// A camera of one of the three kinds; a valid default if the constructor refuses the
-/// numbers, so that the rest of the bytes is used.
-pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
-    let kind = u.int_in_range(0..=3)?;
-    let (eye, gaze) = (point(u)?, vector(u)?);
-    let (up, size) = (vector(u)?, number(u)?);
-    let camera: Option<Box<dyn Camera>> = match kind {
-        0 => boxed!(PinholeCamera::new(eye, size)),
-        1 => boxed!(OrthographicCamera::new(eye, gaze, up, size)),
-        2 => boxed!(PerspectiveCamera::new(eye, gaze, up, size)),
-        _ => {
-            // Where small numbers put shapes.
-            let to_origin = Point3::ORIGIN - eye;
-            let y = Vector3::new(0.0, 1.0, 0.0);
-            boxed!(PerspectiveCamera::new(eye, to_origin, y, 0.75))
-        }
-    };
-    let default = || boxed!(PinholeCamera::new(Point3::new(1.0, 2.0, 20.0), 1.0));
-    Ok(camera.or_else(default).expect("a camera"))
+/// A picture of any size, and a ray of a camera through it, which begins at a finite point and has a direction of
+/// length 1.
+pub fn size_and_ray(u: &mut Unstructured, camera: &dyn Camera) -> Result<(Size, Ray)> {
+    let (width, height) = (u.int_in_range(1..=32_768)?, u.int_in_range(1..=2048)?);
+    let size = Size::new(width, height).expect("a size");
+    let ray = camera.ray_for(size, position(u, width)?, position(u, height)?);
+    assert_unit(ray.direction());
+    assert!(ray.origin().to_glam().is_finite(), "{ray:?}");
+    Ok((size, ray))
+}
+
+/// A coordinate in a picture of this width or height.
+fn position(u: &mut Unstructured, side: u32) -> Result<f64> {
+    let fraction = f64::from(u.arbitrary::<u16>()?) / 65_535.0;
+    Ok(f64::from(side) * fraction - 0.5)
 }
 
 /// A length of 1, up to the rounding of three quotients and a root.

@@ -5,8 +5,7 @@ use std::f64::consts::PI;
 use a02_math::{Normal3, Vector3};
 use a03_rays_cameras::{PinholeCamera, StripeRule, StripedSky};
 use arbitrary::{Result, Unstructured};
-use common::Size;
-use fuzz::values::{accepted, assert_unit, camera, normal, number, point, transform, vector};
+use fuzz::values::{accepted, assert_unit, normal, number, point, size_and_ray, transform, vector};
 
 pub fn check(u: &mut Unstructured) -> Result<()> {
     match u.int_in_range(0..=2)? {
@@ -38,36 +37,20 @@ fn vectors(a: Vector3, b: Vector3, n: Normal3) {
 }
 
 fn cameras(u: &mut Unstructured) -> Result<()> {
-    let camera = camera(u)?;
-    let (width, height) = (u.int_in_range(1..=32_768)?, u.int_in_range(1..=2048)?);
-    let size = Size::new(width, height).expect("a size");
-    let (x, y) = (position(u, width)?, position(u, height)?);
-    let ray = camera.ray_for(size, x, y);
-    assert_unit(ray.direction());
-    assert!(ray.origin().to_glam().is_finite(), "{ray:?}");
-
-    let stripes = u.arbitrary()?;
-    let (bound, t) = (number(u)?, number(u)?);
+    let Some(pinhole) = accepted(PinholeCamera::new(point(u)?, number(u)?)) else {
+        return Ok(());
+    };
+    let (size, ray) = size_and_ray(u, &pinhole)?;
+    let (bound, t, stripes) = (number(u)?, number(u)?, u.arbitrary()?);
     if let Some(part) = accepted(ray.bounded(bound)) {
         let is_on_it = 0.0 <= t && t <= bound;
         assert_eq!(part.at(t).is_some(), is_on_it, "{part:?} {t}");
     }
-    let Some(pinhole) = accepted(PinholeCamera::new(point(u)?, number(u)?)) else {
-        return Ok(());
-    };
     let sky = StripedSky::new(&pinhole, size, stripes, StripeRule::Direction);
     if let Some(sky) = accepted(sky) {
-        let ray = pinhole.generate_ray(size, x, y);
-        assert_unit(ray.direction());
         assert!(sky.stripe(&ray) < stripes, "{sky:?} {ray:?}");
     }
     Ok(())
-}
-
-/// A coordinate in a picture of this width or height.
-fn position(u: &mut Unstructured, side: u32) -> Result<f64> {
-    let fraction = f64::from(u.arbitrary::<u16>()?) / 65_535.0;
-    Ok(f64::from(side) * fraction - 0.5)
 }
 
 fn transforms(u: &mut Unstructured) -> Result<()> {
