@@ -112,6 +112,18 @@ impl Judgement<'_> {
         self.sheet.facts.get(place)
     }
 
+    /// How far that fact's value is from the right one, in tolerances; infinitely far where nothing could be measured.
+    #[must_use]
+    pub fn tolerances_off(&self) -> f64 {
+        let Some(fact) = self.first_failure() else {
+            return 0.0;
+        };
+        match self.state(fact) {
+            State::Wrong(answer) => (answer.value - fact.value).abs() / fact.within,
+            _ => f64::INFINITY,
+        }
+    }
+
     /// The files of all pictures, in the order of their names.
     #[must_use]
     pub fn files(&self) -> Vec<&PathBuf> {

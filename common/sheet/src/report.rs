@@ -47,7 +47,7 @@ impl Judgement<'_> {
         }
     }
 
-    fn state(&self, fact: &Fact) -> &State {
+    pub(crate) fn state(&self, fact: &Fact) -> &State {
         let place = self.sheet.facts.iter().position(|f| f.name == fact.name);
         &self.states[place.unwrap_or_default()]
     }

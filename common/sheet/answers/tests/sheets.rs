@@ -1,5 +1,6 @@
-//! The judge tells right answers from wrong ones: two designs of each sheet give all facts, with several seeds, and
-//! each mistake fails first at its fact. Judged as `cargo learn sheet` judges a student's program.
+//! The judge tells right answers from wrong ones: two designs of each sheet give all facts, with several seeds if they
+//! have random numbers, and each mistake fails first at its fact. Judged as `cargo learn sheet` judges a student's
+//! program.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -9,19 +10,28 @@ use learn::sheet::OwnProgram;
 use sheet::{Facts, Judgement, Row, Sheet};
 use toml::de::DeTable;
 
-const SEEDS: [u32; 3] = [0, 1, 2];
+/// A tolerance is five standard deviations or more. A value this many tolerances from the right one with the first seed
+/// is outside with the others, too, which are asked only about nearer values.
+const FAR: f64 = 2.0;
 
 macro_rules! test_sheets {
-    ($($name:ident)*) => { $(
+    ($($name:ident, seeds: $seeds:literal;)*) => { $(
         #[test]
         #[cfg_attr(debug_assertions, ignore = "its pictures take too long without optimisation")]
         fn $name() {
-            answers_are_told_apart(stringify!($name));
+            answers_are_told_apart(stringify!($name), $seeds);
         }
     )* };
 }
 
-test_sheets!(tree patterns glass lamp lens light);
+test_sheets! {
+    tree, seeds: 1;
+    patterns, seeds: 3;
+    glass, seeds: 1;
+    lamp, seeds: 3;
+    lens, seeds: 3;
+    light, seeds: 3;
+}
 
 /// A row of `wrong/NAME.toml`.
 struct Wrong {
@@ -58,13 +68,13 @@ fn judged<'a>(sheet: &'a Sheet, variant: &str, seed: u32, facts: Facts) -> Judge
     program.judge(sheet, facts).unwrap()
 }
 
-fn answers_are_told_apart(name: &str) {
+fn answers_are_told_apart(name: &str, seeds: u32) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../sheets/{name}.toml"));
     let text = fs::read_to_string(path).unwrap();
     let sheet = &Sheet::read(name, &text).unwrap();
     let mut problems = Vec::new();
     for design in ["first", "second"] {
-        for seed in SEEDS {
+        for seed in 0..seeds {
             let judgement = judged(sheet, &format!("{design}/{name}"), seed, Facts::All);
             if judgement.first_failure().is_some() {
                 let report = judgement.report();
@@ -74,7 +84,7 @@ fn answers_are_told_apart(name: &str) {
     }
     let mut failed = BTreeSet::new();
     for wrong in wrong_answers(name) {
-        for seed in SEEDS {
+        for seed in 0..seeds {
             let judgement = judged(sheet, &wrong.variant, seed, Facts::UntilOneFails);
             let fails = judgement.first_failure().map_or("", |fact| &fact.name);
             if fails != wrong.fails {
@@ -83,6 +93,9 @@ fn answers_are_told_apart(name: &str) {
                 problems.push(format!(
                     "{forgets}, seed {seed}: must fail first at {fails}\n{report}"
                 ));
+            }
+            if judgement.tolerances_off() >= FAR {
+                break;
             }
         }
         failed.insert(wrong.fails);
