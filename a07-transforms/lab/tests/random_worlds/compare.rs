@@ -5,7 +5,11 @@ use std::env;
 use std::ops::Range;
 
 use a03_rays_cameras::View;
+use a03_rays_cameras::registry::Format;
 use common::{Color, Image, Renderer, Sampling, Settings, Size};
+use scene_file::SceneFile;
+
+use crate::scenes::{file, style, text};
 
 /// Renders a view with all renderers, and returns the lesson's picture. The world is that of a seed.
 pub fn compare(seed: u64, view: impl Fn() -> View, settings: &Settings) -> Image {
@@ -50,12 +54,19 @@ pub fn or_asked(seeds: Range<u64>) -> Range<u64> {
 /// Compares the renderers in the scenes of these seeds, or in more of them, with settings of all kinds. A scene
 /// without a view has numbers beyond the limits of the lesson. Most of them have to have a picture, and some of these
 /// more than ten colours.
-pub fn compare_scenes(seeds: Range<u64>, view: impl Fn(u64) -> Option<View>) {
+pub fn compare_scenes(
+    format: Format,
+    seeds: Range<u64>,
+    view: impl Fn(u64, &SceneFile) -> Option<View>,
+) {
     let seeds = or_asked(seeds);
     let count = seeds.end - seeds.start;
     let (mut pictures, mut colorful) = (0, 0);
     for seed in seeds {
-        if view(seed).is_none() {
+        let Ok(file) = file(format, &text(seed, style(seed), format)) else {
+            continue;
+        };
+        if view(seed, &file).is_none() {
             continue;
         }
         // More rays than a batch of the engine has, and fewer.
@@ -67,7 +78,7 @@ pub fn compare_scenes(seeds: Range<u64>, view: impl Fn(u64) -> Option<View>) {
             depth: [4, 5, 3, 6, 1, 0][seed as usize % 6],
             ..Settings::default()
         };
-        let image = compare(seed, || view(seed).unwrap(), &settings);
+        let image = compare(seed, || view(seed, &file).unwrap(), &settings);
         let mut colors = HashSet::new();
         for color in image.pixels() {
             colors.insert(color.channels().map(f64::to_bits));

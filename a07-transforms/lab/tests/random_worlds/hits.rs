@@ -17,7 +17,7 @@ use testing::Random;
 use crate::compare::{compare, compare_scenes};
 use crate::own_types::geometry;
 use crate::rays::Rays;
-use crate::scenes::{file, style, text};
+use crate::scenes::style;
 
 /// The surface of this number, whose colour is `t`, a hash of all other numbers of ray and hit, and its number.
 #[derive(Debug)]
@@ -80,10 +80,9 @@ pub fn hits<G: Geometry + Clone>(shapes: &[G], rays: &[Ray]) -> usize {
 /// Also of a student's own.
 #[test]
 fn shapes_are_met_as_in_the_list() {
-    compare_scenes(0..60, |seed| {
-        let file = file(FORMAT, &text(seed, style(seed), FORMAT)).ok()?;
-        let mut first = FirstMistake::of(&file);
-        let objects = ALL_SHAPES.read_objects(&file, &mut first, |_| Ok(()));
+    compare_scenes(FORMAT, 0..60, |seed, file| {
+        let mut first = FirstMistake::of(file);
+        let objects = ALL_SHAPES.read_objects(file, &mut first, |_| Ok(()));
         let mut shapes: Vec<_> = objects.into_iter().map(|(shape, ())| shape).collect();
         let mut random = Random::new(seed);
         let below = &mut |end| random.below(end);

@@ -49,8 +49,8 @@ pub fn seen<W>(seed: u64, view: View<W>) -> View<W> {
 }
 
 fn compare_stage(format: Format, count: u64) {
-    compare_scenes(0..count, |seed| {
-        let view = view(format, &text(seed, style(seed), format)).ok()?;
+    compare_scenes(format, 0..count, |seed, file| {
+        let (_, view) = format.scene(file).ok()?;
         Some(seen(seed, view))
     });
 }
@@ -75,21 +75,28 @@ fn all_renderers_draw_the_same_pictures_of_stage_7() {
     compare_stage(FORMAT, 60);
 }
 
-/// The view of a seed, whose world has something more.
-fn view_with(seed: u64, add: impl Fn(ShadowedWorld, u64) -> Option<ShadowedWorld>) -> Option<View> {
-    let file = file(FORMAT, &text(seed, style(seed), FORMAT)).ok()?;
-    let View { camera, world } = seen(seed, read_view(&file, ALL_SHAPES).ok()?);
+/// The view of a file, whose world has something more.
+fn view_with(
+    seed: u64,
+    file: &SceneFile,
+    add: impl Fn(ShadowedWorld, u64) -> Option<ShadowedWorld>,
+) -> Option<View> {
+    let View { camera, world } = seen(seed, read_view(file, ALL_SHAPES).ok()?);
     let world = add(world, seed)?;
     Some(traced(View { camera, world }))
 }
 
 #[test]
 fn all_renderers_draw_the_same_pictures_of_own_types() {
-    compare_scenes(0..40, |seed| view_with(seed, with_own_types));
+    compare_scenes(FORMAT, 0..40, |seed, file| {
+        view_with(seed, file, with_own_types)
+    });
 }
 
 /// Rays that leave such a hit have no origin or no direction. They must not take those beside them along.
 #[test]
 fn numbers_that_are_none_spoil_no_other_ray() {
-    compare_scenes(0..24, |seed| view_with(seed, with_numbers_that_are_none));
+    compare_scenes(FORMAT, 0..24, |seed, file| {
+        view_with(seed, file, with_numbers_that_are_none)
+    });
 }
