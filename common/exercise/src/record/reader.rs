@@ -20,7 +20,8 @@ impl Reader {
             next.above.extend([line, "\n"]);
             return Some(());
         }
-        let (word, rest) = line.trim_start().split_once(' ')?;
+        let line = line.trim_start();
+        let (word, rest) = line.split_once(' ').unwrap_or((line, ""));
         match word {
             "mistake" => {
                 let (label, overlooks) = rest.split_once(' ')?;
