@@ -118,6 +118,12 @@ fn is_caption(paragraph: &str) -> bool {
 }
 
 impl Exercise {
+    /// The file with the task and the code that a starter lacks.
+    #[must_use]
+    pub fn solution_file(&self) -> String {
+        format!("{}/exercises/solutions/{}.rs", self.stage, self.name)
+    }
+
     /// The task: the section of the title in the book, up to the command, without pictures and the
     /// words below them. Without a section, the file's own comment is the task.
     pub(crate) fn task(&self) -> String {

@@ -68,10 +68,7 @@ pub(crate) fn saved(exercise: &Exercise) -> Saved {
 /// The text of the starter: the solution without its code. In a workbook without solutions, such a
 /// file is a starter already.
 pub fn starter(exercise: &Exercise) -> Result<String, String> {
-    let file = format!(
-        "{}/exercises/solutions/{}.rs",
-        exercise.stage, exercise.name
-    );
+    let file = exercise.solution_file();
     without_code(&read(&file)?).map_err(|error| format!("{file}: {error}"))
 }
 

@@ -13,8 +13,7 @@ pub fn hint(e: &Exercise) -> Option<String> {
     if !e.is_core {
         return None;
     }
-    let solution = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-    let solution = files::read(&solution).ok()?;
+    let solution = files::read(&e.solution_file()).ok()?;
     let starter = files::starter(e).ok()?;
     let given: Vec<_> = starter.lines().map(str::trim).collect();
     let mut lines = Vec::new();

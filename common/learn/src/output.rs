@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 use ::exercise::WORDS_MARK;
 
 /// The most bytes of a program that are kept.
-const KEPT_BYTES: usize = 1 << 20;
+const MAX_KEPT_BYTES: usize = 1 << 20;
 
 /// The most bytes that are read as one line.
-const LINE_BYTES: u64 = 1 << 16;
+const MAX_LINE_BYTES: u64 = 1 << 16;
 
 /// How long the end of the output is waited for after the end of the program, whose own child
 /// processes may keep it open.
@@ -68,7 +68,7 @@ impl Output {
     }
 
     fn keep(&mut self, bytes: &[u8]) {
-        let space = KEPT_BYTES - self.kept.len();
+        let space = MAX_KEPT_BYTES - self.kept.len();
         self.kept.extend(&bytes[..bytes.len().min(space)]);
     }
 }
@@ -88,7 +88,9 @@ impl OutputReader {
             let mut line = Vec::new();
             // A line that cannot be read ends the output.
             while matches!(
-                (&mut pipe).take(LINE_BYTES).read_until(b'\n', &mut line),
+                (&mut pipe)
+                    .take(MAX_LINE_BYTES)
+                    .read_until(b'\n', &mut line),
                 Ok(1..)
             ) {
                 lock(&shared).add(&line);
@@ -138,18 +140,18 @@ mod tests {
 
     #[test]
     fn much_output_is_cut_and_counted_and_hides_no_word_of_the_check() {
-        let many = "x\n".repeat(KEPT_BYTES);
+        let many = "x\n".repeat(MAX_KEPT_BYTES);
         let output = read(format!("{many}{WORDS_MARK}wrong\n").as_bytes());
         let beginning = "x\n".repeat(50);
-        let more = KEPT_BYTES - 50;
+        let more = MAX_KEPT_BYTES - 50;
         assert_eq!(
             output.beginning(50),
             format!("{beginning}… {more} more lines")
         );
-        assert_eq!(output.kept.len(), KEPT_BYTES);
+        assert_eq!(output.kept.len(), MAX_KEPT_BYTES);
         assert_eq!(output.words, "wrong\n");
         // A line without end, and bytes that are no text.
-        let output = read(&vec![0xFF; 3 * KEPT_BYTES]);
-        assert_eq!(output.kept.len(), KEPT_BYTES);
+        let output = read(&vec![0xFF; 3 * MAX_KEPT_BYTES]);
+        assert_eq!(output.kept.len(), MAX_KEPT_BYTES);
     }
 }

@@ -142,8 +142,7 @@ fn bring(
         if !is_wanted || !stages.contains(&e.stage) || LEFT_OUT.contains(&e.name) {
             continue;
         }
-        let solution = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-        let workbooks = in_program(&files::read(&solution)?)?;
+        let workbooks = in_program(&files::read(&e.solution_file())?)?;
         let yours = done.get(e.name).map(|text| in_program(text)).transpose()?;
         let text = yours.as_ref().unwrap_or(&workbooks);
         functions += &module(e.name, text)?;

@@ -16,7 +16,7 @@ use rustix::process::{Pid, Signal, kill_process_group};
 const PAUSE: Duration = Duration::from_millis(10);
 
 /// The most memory of a student's program. Windows and macOS do not hold this limit.
-const KIB: u32 = 2 << 20;
+const MAX_KIB: u32 = 2 << 20;
 
 /// The command that runs a program with a limit of memory, where a shell can set one.
 pub fn limited(program: &Path) -> Command {
@@ -26,7 +26,7 @@ pub fn limited(program: &Path) -> Command {
     let mut shell = Command::new("sh");
     // Some shells end where a limit cannot be set.
     let script = format!(
-        "(ulimit -d {KIB}) 2>/dev/null && ulimit -d {KIB}; ulimit -c 0; exec \"$0\" \"$@\""
+        "(ulimit -d {MAX_KIB}) 2>/dev/null && ulimit -d {MAX_KIB}; ulimit -c 0; exec \"$0\" \"$@\""
     );
     shell.args(["-c", &script]).arg(program);
     shell

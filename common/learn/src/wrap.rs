@@ -3,7 +3,7 @@
 use textwrap::{Options, WordSeparator, WordSplitter};
 
 /// Longer lines are hard to read, however wide the terminal is.
-const WIDEST: usize = 100;
+const MAX_WIDTH: usize = 100;
 
 /// Breaks lines that are longer than the width, and indents what follows as their beginning.
 pub fn wrap(text: &str, width: usize) -> String {
@@ -14,7 +14,7 @@ pub fn wrap(text: &str, width: usize) -> String {
 fn wrap_line(line: &str, width: usize) -> String {
     let indent = &line[..line.len() - line.trim_start_matches(' ').len()];
     // A path is one word, also where it is too long for the line, so that it can be copied.
-    let options = Options::new(width.min(WIDEST))
+    let options = Options::new(width.min(MAX_WIDTH))
         .initial_indent(indent)
         .subsequent_indent(indent)
         .word_separator(WordSeparator::AsciiSpace)

@@ -15,8 +15,7 @@ fn starters_name_what_solutions_call() {
     let offered = functions_of_the_workbook();
     let mut lacking = Vec::new();
     for e in exercise::read_all().unwrap() {
-        let file = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-        let solution = files::read(&file).unwrap();
+        let solution = files::read(&e.solution_file()).unwrap();
         let starter = files::starter(e).unwrap();
         for call in calls(&solution).difference(&calls(&starter)) {
             let name = call.rsplit("::").next().unwrap();
