@@ -8,7 +8,6 @@ pub mod errata;
 mod experiments;
 mod extremes;
 pub mod go_wrong;
-pub mod nested_nodes;
 pub mod protocol;
 mod side_by_side;
 pub mod sweeps;

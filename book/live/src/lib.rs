@@ -8,8 +8,8 @@ mod catalogue;
 mod extremes;
 mod figures;
 mod file;
-mod left_out;
 mod measuring;
+mod omissions;
 mod picture;
 mod sensitivity;
 mod sweeps;
@@ -41,8 +41,8 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         Some(("sweep", name)) => sweeps::sweep(name, numbers),
         Some(("sweep-questions", name)) => sweeps::questions(name),
         Some(("sweep-errors", name)) => sweeps::errors(name, numbers),
-        Some(("work", name)) => left_out::work(name, numbers),
-        Some(("done", name)) => left_out::done(name, numbers),
+        Some(("work", name)) => omissions::work(name, numbers),
+        Some(("done", name)) => omissions::done(name, numbers),
         None if request == "sweeps" => Ok(sweeps::all()),
         None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),
         _ => figures::answer(request, numbers),

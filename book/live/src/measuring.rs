@@ -15,7 +15,7 @@ use measure::front::Contender;
 use measure::report::Measured;
 use measure::{Rounds, Turn, reach};
 
-use crate::{Answer, Answered, left_out};
+use crate::{Answer, Answered, omissions};
 use pictures::Pictures;
 
 /// A measurement that has begun.
@@ -60,7 +60,7 @@ pub fn answer(request: &str, numbers: &[f64]) -> Answered {
         };
         if let Some(picture) = name.strip_prefix("left-out ") {
             let settings = numbers.get(1..).unwrap_or_default();
-            measuring.take_turns(left_out::measured(picture, settings)?);
+            measuring.take_turns(omissions::measured(picture, settings)?);
         } else if let Some(measured) = edges::measured(name, &methods) {
             measuring.take_turns(measured);
         } else {
