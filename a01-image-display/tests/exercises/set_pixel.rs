@@ -40,7 +40,7 @@ pub fn exercise() -> Exercise<Code> {
     });
     Exercise {
         forms: vec![red, colors, pictures],
-        picture: Picture::own(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
+        picture: Picture::own(boat),
         ..Exercise::default()
     }
 }
@@ -63,7 +63,7 @@ const BOAT: [&str; 12] = [
 
 /// The boat, with pixels as large as squares. Red squares are pixels that lie outside of the
 /// picture, and must not be seen.
-fn boat(set_pixel: Code, settings: &Settings) -> Result<Image, Error> {
+fn boat(set_pixel: &Code, settings: &Settings) -> Result<Image, Error> {
     let mut small = Image::black(Size::new(16, 12)?)?;
     for (y, row) in (0..).zip(BOAT) {
         for (x, letter) in (0..).zip(row.chars()) {

@@ -8,14 +8,14 @@ type Code = fn(Vector3, Vector3) -> f64;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|angle: &Code, settings| fans(*angle, settings)),
+        picture: Picture::own(fans),
         ..Exercise::asked(|angle: &Code, (a, b)| angle(vector(a), vector(b)))
     }
 }
 
 /// The angles from an arrow to the points around it, in sectors of 15 degrees; and on the right
 /// those to points that are almost on the arrow, in bands of a hundred-millionth.
-fn fans(angle: Code, settings: &Settings) -> Result<Image, Error> {
+fn fans(angle: &Code, settings: &Settings) -> Result<Image, Error> {
     let arrow = Vector3::new(1.0, 0.0, 0.0);
     Image::from_fn(settings.size, |x, y| {
         let [x, up] = [f64::from(x), 120.0 - f64::from(y)];

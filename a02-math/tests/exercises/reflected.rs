@@ -9,7 +9,7 @@ yours! { reflected }
 type Code = fn(Vector3, Normal3) -> Vector3;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|reflected: &Code, settings| parabola(*reflected, settings)),
+        picture: Picture::own(parabola),
         ..Exercise::asked(|reflected: &Code, (v, n)| {
             array(reflected(vector(v), vector(n).as_normal()))
         })
@@ -21,7 +21,7 @@ const FOCUS: f64 = 110.0;
 
 /// A parabola, which mirrors all light along its axis into its focus, a dot; and light from below,
 /// which its back mirrors outwards.
-fn parabola(reflected: Code, settings: &Settings) -> Result<Image, Error> {
+fn parabola(reflected: &Code, settings: &Settings) -> Result<Image, Error> {
     let mut canvas = Canvas::new(settings.size, Color::WHITE)?;
     let (blue, red, gray) = (
         Color::new(0.1, 0.3, 0.8),

@@ -8,14 +8,14 @@ type Code = fn(Vector3, Vector3, f64) -> u32;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|ring: &Code, settings| sky_of_rings(*ring, settings)),
+        picture: Picture::own(sky_of_rings),
         ..Exercise::asked(|ring: &Code, (direction, pole, width)| {
             ring(vector(direction), vector(pole), width)
         })
     }
 }
 
-fn sky_of_rings(ring: Code, settings: &Settings) -> Result<Image, Error> {
+fn sky_of_rings(ring: &Code, settings: &Settings) -> Result<Image, Error> {
     let pole = Vector3::new(0.3, 0.4, -1.0);
     let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
     let camera = PerspectiveCamera::new(Point3::ORIGIN, gaze, up, FRAC_PI_3)?;

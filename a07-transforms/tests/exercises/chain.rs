@@ -21,7 +21,7 @@ pub fn exercise() -> Exercise<Code> {
 
 /// A box under the transform with this inverse.
 fn under_inverse(child: AxisAlignedBox, inverse: Mat4x4) -> impl Geometry {
-    own(move |ray: &Ray, within| {
+    OwnShape(move |ray: &Ray, within: Interval| {
         let inner = Ray::derived(inverse * ray.origin(), inverse * ray.direction());
         let Hit { t, normal, .. } = child.hit(&inner, within)?;
         let n = inverse.transposed() * Vector3::from(normal);

@@ -42,7 +42,7 @@ pub fn exercise() -> Exercise<Code> {
 fn ellipsoid(code: Code) -> Made<impl Geometry> {
     let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
     let child = Sphere::new(Point3::ORIGIN, 1.0)?;
-    Ok(own(move |ray: &Ray, within| {
+    Ok(OwnShape(move |ray: &Ray, within: Interval| {
         let hit = child.hit(&(code.ray_to_object)(&transform, ray), within)?;
         let normal = (code.normal_from_object)(&transform, hit.normal)?;
         Some(Hit::new(hit.t, normal))

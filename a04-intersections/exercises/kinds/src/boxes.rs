@@ -3,10 +3,10 @@
 use a02_math::arrays::{array, point, vector};
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
-use a04_intersections::Geometry;
+use a04_intersections::{Geometry, Interval};
 use testing::exercises::Made;
 
-use crate::shape::{NewShape, new_shape, own};
+use crate::shape::{NewShape, OwnShape, new_shape};
 
 /// The parameters of a box between two corners.
 pub type Corners = ([f64; 3], [f64; 3]);
@@ -18,7 +18,7 @@ pub fn new_box<G: Geometry + 'static>(
 ) -> NewShape<Corners> {
     new_shape(move |(lbf, run)| {
         let shape = new(point(lbf), point(run))?;
-        Ok(own(move |ray: &Ray, within| {
+        Ok(OwnShape(move |ray: &Ray, within: Interval| {
             let mut hit = shape.hit(ray, within)?;
             let normals = normals_at(ray.at(hit.t), (lbf, run));
             let is_right = |normal: Normal3| normals.iter().any(|face| is_near(normal, *face));

@@ -37,11 +37,6 @@ impl<F: Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'static> Geometry for 
     }
 }
 
-/// A shape whose hits this function finds.
-pub fn own<F: Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'static>(hit: F) -> OwnShape<F> {
-    OwnShape(hit)
-}
-
 /// A triangle at this height over z = 0 whose corners have a normal that is not its face's.
 pub fn smooth_triangle(z: f64) -> Made<Triangle> {
     let corners = [(-2.0, -2.0), (2.0, -2.0), (0.0, 2.0)];
