@@ -54,7 +54,14 @@ impl Input for f64 {
     }
 
     fn words(&self) -> Vec<String> {
-        vec![shown(*self)]
+        let words = shown(*self);
+        // Whether 1 + 1e-12 is inside or outside is seen from its last digits alone.
+        let is_near = |shown: f64| (shown - self).abs() <= 1e-15 * self.abs();
+        vec![if words.parse().is_ok_and(is_near) {
+            words
+        } else {
+            self.to_string()
+        }]
     }
 
     fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
