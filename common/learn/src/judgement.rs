@@ -74,7 +74,7 @@ fn build_and_run(
     match build(e, space, watcher)? {
         Build::Program(program) => {
             let mut check = limited(program.as_ref());
-            check.env(MODE, mode.name());
+            check.arg(e.name).env(MODE, mode.name());
             run_check(e, check, program.as_ref(), space, watcher)
         }
         Build::Failed(printed) => Ok(Some(does_not_compile(e, printed))),

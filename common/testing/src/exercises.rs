@@ -24,11 +24,11 @@ pub use common::ArgumentError;
 pub use folder::StageFolder;
 #[cfg(target_family = "wasm")]
 pub use in_browser::judge;
-pub use missing::missing;
 #[cfg(not(target_family = "wasm"))]
-pub(crate) use missing::{Missing, take_missing};
+pub(crate) use missing::{Missing, as_starter, take_missing};
+pub use missing::{is_starter, missing};
 #[cfg(not(target_family = "wasm"))]
-pub use prove::{Codes, Entry, prove};
+pub use prove::prove;
 #[cfg(not(target_family = "wasm"))]
 pub use student::judge;
 
@@ -38,7 +38,7 @@ pub type Made<T> = Result<T, ArgumentError>;
 /// The student's code of a check: the names that a student's file defines, and an expression of
 /// them and of the prelude, in the form that the questions of the exercise take, such as
 /// `yours! { Sphere => new_shape(|(c, r)| Sphere::new(point(c), r)) }`; or a name alone. It is
-/// compiled with the names of the student's file, of the starter, and of the solution.
+/// compiled with the names of the student's file, or of the solution.
 #[macro_export]
 macro_rules! yours {
     ($name:ident) => { $crate::yours! { $name => $name } };
@@ -63,15 +63,26 @@ macro_rules! examples {
     };
 }
 
+/// An exercise with the code of a file.
+pub struct Entry {
+    /// Its name, which is that of the file.
+    pub name: &'static str,
+    /// The exercise with the code in it.
+    pub exercise: fn() -> Exercise<()>,
+    /// The examples at the end of the file.
+    pub examples: fn(),
+}
+
 /// The modules and the `main` of a stage's `tests/exercises/main.rs`, which has the names that
 /// checks, examples and students' files use in a module `prelude`.
 ///
 /// The program proves all exercises, and does not read the students' files: a file that does
-/// not compile fails no test. `cargo learn` builds it with the configurations `learn` and `NAME`
-/// instead, and such a program judges the student's file of that name.
+/// not compile fails no test. `cargo learn` and the grader build it with the configurations `learn` and, of each
+/// exercise, `NAME` instead, and such a program judges the student's file whose name is its argument.
 #[macro_export]
 macro_rules! exercises {
     ($stage:path; $(mod $name:ident;)+) => {
+        // The checks: what is asked.
         $(
             #[cfg(any(not(learn), $name))]
             #[allow(clippy::semicolon_if_nothing_returned)]
@@ -80,60 +91,49 @@ macro_rules! exercises {
             mod $name;
         )+
 
-        /// The students' files, which rust-analyzer reads, too.
+        // The files that are asked: the students', which rust-analyzer reads, too, or the solutions.
         #[cfg(any(learn, rust_analyzer))]
         #[path = "../../exercises"]
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
             $(#[cfg(any($name, rust_analyzer))] pub mod $name;)+
         }
-
         #[cfg(not(learn))]
         #[path = "../../exercises/solutions"]
         #[allow(unused, clippy::all, clippy::pedantic, missing_docs)]
         mod solutions {
             macro_rules! missing {
-                ($what:expr, $for_now:expr, $code:expr) => { $code };
+                ($what:expr, $for_now:expr, $code:expr) => {
+                    if testing::is_starter() { testing::missing($what, $for_now) } else { $code }
+                };
             }
             $(pub mod $name;)+
         }
 
+        // What is done with them.
+        #[cfg(learn)]
+        use {$crate::exercises::judge as run, yours as files};
         #[cfg(not(learn))]
-        #[path = "../../exercises/solutions"]
-        #[allow(unused, clippy::all, clippy::pedantic, missing_docs)]
-        mod starters {
-            macro_rules! missing {
-                ($what:expr, $for_now:expr, $code:expr) => { testing::missing($what, $for_now) };
-            }
-            $(pub mod $name;)+
-        }
+        use {$crate::exercises::prove as run, solutions as files};
 
         #[allow(unused_imports)]
         fn main() -> std::process::ExitCode {
             use prelude::*;
+            // A file may have none.
+            fn examples() {}
             let folder = $crate::exercises::StageFolder::new(env!("CARGO_MANIFEST_DIR"), $stage);
-            $(
-                #[cfg(all(learn, $name))]
-                let exit = {
-                    // A file may have none.
-                    fn examples() {}
-                    let examples = { use yours::$name::*; examples };
-                    let yours = $name::code!(crate::yours::$name);
-                    let exercise = $name::exercise();
-                    $crate::exercises::judge(&folder, stringify!($name), exercise, yours, examples)
-                };
-            )+
-            #[cfg(not(learn))]
-            let exit = $crate::exercises::prove(&folder, vec![$(
-                $crate::exercises::Entry::new(stringify!($name), $crate::exercises::Codes {
-                    exercise: $name::exercise,
-                    // Bound first, as in a student's program: the code alone says its type.
-                    solution: || { let yours = $name::code!(crate::solutions::$name); yours },
-                    examples: solutions::$name::examples,
-                    starter: || { let yours = $name::code!(crate::starters::$name); yours },
-                }),
-            )+]);
-            exit
+            run(&folder, vec![$(
+                #[cfg(any(not(learn), $name))]
+                $crate::exercises::Entry {
+                    name: stringify!($name),
+                    exercise: || {
+                        // Bound first: the code alone says its type.
+                        let yours = $name::code!(crate::files::$name);
+                        $name::exercise().with_code(yours)
+                    },
+                    examples: { use files::$name::*; examples },
+                },
+            )+])
         }
     };
 }

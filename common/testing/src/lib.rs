@@ -20,6 +20,6 @@ pub mod picture_lock;
 mod random;
 mod refusal;
 
-pub use exercises::{assert_close, missing};
+pub use exercises::{assert_close, is_starter, missing};
 pub use random::{Random, for_seeds};
 pub use refusal::assert_refused;

@@ -1,14 +1,13 @@
 //! `ask_corpus`: how a student's shape answers the rays that broke ray tracers.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
 use corpus::{CASES, Case, DOUBLE, Question, Shape, judge};
 
 use super::exercise::Exercise;
+use super::program::answer_of;
 
 /// For how many rays of the corpus a shape is right, and the first for which it is not. The first form
 /// of question of a shape's exercise takes the numbers of the shape, then those of the ray and its interval.
-pub fn ask_corpus<C>(name: &str, exercise: &Exercise<C>, yours: &C) -> String {
+pub fn ask_corpus(name: &str, exercise: &Exercise<()>) -> String {
     let cases = match corpus::read(CASES) {
         Ok(cases) => cases,
         Err(error) => return error.to_string(),
@@ -19,8 +18,7 @@ pub fn ask_corpus<C>(name: &str, exercise: &Exercise<C>, yours: &C) -> String {
         if shapes.is_empty() {
             continue;
         }
-        let nearest = || nearest(&case.question, &shapes, exercise, yours);
-        let found = catch_unwind(AssertUnwindSafe(nearest)).unwrap_or_default();
+        let found = nearest(&case.question, &shapes, exercise);
         let verdict = judge(&case, found, DOUBLE);
         asked += usize::from(verdict.is_counted());
         if verdict.is_right() {
@@ -55,17 +53,13 @@ fn shapes(exercise: &str, question: &Question) -> Vec<Vec<f64>> {
 }
 
 /// The `t` of the nearest hit of some shapes.
-fn nearest<C>(
-    question: &Question,
-    shapes: &[Vec<f64>],
-    exercise: &Exercise<C>,
-    yours: &C,
-) -> Option<f64> {
+fn nearest(question: &Question, shapes: &[Vec<f64>], exercise: &Exercise<()>) -> Option<f64> {
     let form = exercise.forms.first()?;
     let mut nearest: Option<f64> = None;
     for shape in shapes {
         let ray = [&question.origin[..], &question.direction, &question.within].concat();
-        let answer = (form.answer)(yours, &[&shape[..], &ray].concat());
+        let numbers = [&shape[..], &ray].concat();
+        let answer = answer_of(&form.answer, &numbers)?;
         if let Some(t) = answer.number("t")
             && nearest.is_none_or(|nearest| t < nearest)
         {
@@ -109,7 +103,7 @@ mod tests {
             forms: vec![Form::new(answer)],
             ..Exercise::default()
         };
-        ask_corpus("plane", &exercise, &())
+        ask_corpus("plane", &exercise.with_code(()))
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! `Exercise`: the questions and the picture of an exercise.
 
+use std::rc::Rc;
+
 use common::{Error, Image, Settings, Size};
 use exercise::{Answer, Input, Question, QuestionLine, Record};
 
@@ -11,8 +13,8 @@ pub type Render<C> = Box<dyn Fn(&C, &Settings) -> Result<Image, Error>>;
 
 /// An exercise about code of the type `C`, such as a function.
 pub struct Exercise<C> {
-    /// What the code is asked, in this order.
-    pub questions: Vec<CodeQuestion<C>>,
+    /// What the code is asked, in this order, once it is known.
+    pub questions: Vec<CodeQuestion<()>>,
     /// The forms of the questions that the exercise's file asks.
     pub forms: Vec<Form<C>>,
     /// The picture that the code paints.
@@ -41,6 +43,25 @@ impl<C: 'static> Exercise<C> {
         }
     }
 
+    /// The exercise with this code in it. Whoever asks it need not know the type of the code, and is compiled once.
+    pub fn with_code(self, code: C) -> Exercise<()> {
+        let code = Rc::new(code);
+        let forms = self.forms.into_iter();
+        Exercise {
+            questions: self.questions,
+            forms: forms.map(|form| form.with_code(&code)).collect(),
+            picture: match self.picture {
+                Picture::None => Picture::None,
+                Picture::Scene(name, render) => {
+                    Picture::scene(name, move |(), settings| render(&code, settings))
+                }
+                Picture::Own(render) => Picture::own(move |(), settings| render(&code, settings)),
+            },
+        }
+    }
+}
+
+impl Exercise<()> {
     /// Takes the questions of the exercise's file.
     pub fn take_questions(&mut self, record: &Record) -> Result<(), String> {
         for line in &record.questions {
@@ -97,6 +118,12 @@ pub struct CodeQuestion<C> {
     pub answer: AnswerTo<C>,
 }
 
+/// The answers of this code.
+fn answer_with_code<C: 'static>(answer: AnswerTo<C>, code: &Rc<C>) -> AnswerTo<()> {
+    let code = Rc::clone(code);
+    Box::new(move |(), numbers| answer(&code, numbers))
+}
+
 /// Makes a question of a line. An error says what the question takes.
 type QuestionOf<C> = Box<dyn Fn(&QuestionLine) -> Result<CodeQuestion<C>, String>>;
 
@@ -122,6 +149,18 @@ impl<C: 'static> Form<C> {
                 })
             }),
             answer: answer_to(I::default(), answer),
+        }
+    }
+
+    fn with_code(self, code: &Rc<C>) -> Form<()> {
+        let of_question = Rc::clone(code);
+        Form {
+            question: Box::new(move |line| {
+                let CodeQuestion { question, answer } = (self.question)(line)?;
+                let answer = answer_with_code(answer, &of_question);
+                Ok(CodeQuestion { question, answer })
+            }),
+            answer: answer_with_code(self.answer, code),
         }
     }
 }

@@ -38,11 +38,7 @@ impl StageFolder {
     }
 
     /// The file of an exercise, which gives the exercise its questions.
-    pub(super) fn record<C: 'static>(
-        &self,
-        name: &str,
-        exercise: &mut Exercise<C>,
-    ) -> Result<Record, String> {
+    pub(super) fn record(&self, name: &str, exercise: &mut Exercise<()>) -> Result<Record, String> {
         let file = self.record_file(name);
         let failed = |problem: String| format!("{}: {problem}", file.display());
         let text = fs::read_to_string(&file).map_err(|error| failed(error.to_string()))?;

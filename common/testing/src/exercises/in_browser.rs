@@ -2,11 +2,11 @@
 
 use std::cell::RefCell;
 use std::process::ExitCode;
-use std::rc::Rc;
 
 use common::{Error, Image};
 use page::{Answer, pixels, settings};
 
+use super::Entry;
 use super::exercise::{Exercise, Picture, own_settings};
 use super::folder::StageFolder;
 
@@ -30,24 +30,23 @@ thread_local! {
     static YOURS: RefCell<Vec<Yours>> = RefCell::default();
 }
 
-/// Keeps the code of an exercise for the page.
+/// Keeps the exercises for the page.
 #[must_use]
-pub fn judge<C: 'static>(
-    folder: &StageFolder,
-    name: &'static str,
-    exercise: Exercise<C>,
-    yours: C,
-    _: fn(),
-) -> ExitCode {
-    let (folder, picture) = (*folder, exercise.picture);
+pub fn judge(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
+    for entry in entries {
+        keep(*folder, entry.name, (entry.exercise)());
+    }
+    ExitCode::SUCCESS
+}
+
+fn keep(folder: StageFolder, name: &'static str, exercise: Exercise<()>) {
+    let picture = exercise.picture;
     let answer = exercise.forms.into_iter().next().map(|form| form.answer);
-    let yours = Rc::new(yours);
-    let code = Rc::clone(&yours);
     let ask = move |part: &str, inputs: &mut dyn Iterator<Item = &[f64]>| {
         let Some(answer) = &answer else {
             return Vec::new();
         };
-        let answers = inputs.map(|input| answer(&code, input));
+        let answers = inputs.map(|input| answer(&(), input));
         answers
             .map(|answer| answer.number(part).unwrap_or(f64::NAN))
             .collect()
@@ -59,16 +58,15 @@ pub fn judge<C: 'static>(
                 return Ok(None);
             }
             let settings = settings(&stage.scene(scene)?.defaults, numbers)?;
-            render(&yours, &settings).map(Some)
+            render(&(), &settings).map(Some)
         }
         Picture::Own(render) if wanted.contains("-exercise-") => {
-            render(&yours, &own_settings()?).map(Some)
+            render(&(), &own_settings()?).map(Some)
         }
         _ => Ok(None),
     };
     let (paint, ask): (Paint, Ask) = (Box::new(paint), Box::new(ask));
     YOURS.with_borrow_mut(|all| all.push(Yours { name, paint, ask }));
-    ExitCode::SUCCESS
 }
 
 /// Answers `EXERCISE PICTURE`, with the settings as numbers: the picture by the student's code, or

@@ -1,4 +1,4 @@
-//! `Program`: an exercise with code that answers its questions and paints its picture.
+//! What an exercise with code in it answers and paints.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -9,18 +9,12 @@ use common::difference::{
 };
 use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
-use exercise::{Painted, Record, Row, StudentAnswer, Verdict, verdict};
+use exercise::{Answer, Painted, Record, Row, StudentAnswer, Verdict, verdict};
 
 use super::assertion::is_rounding;
-use super::exercise::{Exercise, Picture, own_settings};
+use super::exercise::{AnswerTo, Exercise, Picture, own_settings};
 use super::folder::StageFolder;
 use super::{Missing, take_missing};
-
-/// An exercise, and code that is asked.
-pub struct Program<'a, C> {
-    pub exercise: &'a Exercise<C>,
-    pub code: &'a C,
-}
 
 /// What a program finds, beside its answers.
 #[derive(Default)]
@@ -56,15 +50,12 @@ struct Comparison {
     divergence: Option<String>,
 }
 
-impl<C: 'static> Program<'_, C> {
+impl Exercise<()> {
     /// The rows of its answers. Where the code panics, its answer is none.
     pub fn rows(&self) -> Vec<Row> {
         let mut rows = Vec::new();
-        for asked in &self.exercise.questions {
-            let code = |input: &[f64]| {
-                let answer = || (asked.answer)(self.code, input);
-                catch_unwind(AssertUnwindSafe(answer)).unwrap_or_default()
-            };
+        for asked in &self.questions {
+            let code = |input: &[f64]| answer_of(&asked.answer, input).unwrap_or_default();
             rows.push(Row::new(&asked.question, &code));
         }
         rows
@@ -80,11 +71,10 @@ impl<C: 'static> Program<'_, C> {
     /// Its answers to all questions.
     fn given(&self) -> Vec<StudentAnswer> {
         let mut given = Vec::new();
-        for asked in &self.exercise.questions {
-            let answer = || (asked.answer)(self.code, &asked.question.input);
+        for asked in &self.questions {
             given.push(StudentAnswer {
                 question: asked.question.text.clone(),
-                answer: catch_unwind(AssertUnwindSafe(answer)).ok(),
+                answer: answer_of(&asked.answer, &asked.question.input),
             });
         }
         given
@@ -114,15 +104,15 @@ impl<C: 'static> Program<'_, C> {
         let missing = take_missing();
         let is_right = verdict.wrong.is_empty() && missing.is_empty();
         let mut image = None;
-        let paint = || match &self.exercise.picture {
+        let paint = || match &self.picture {
             // The author looks at no wrong picture, and unfinished code has none of a scene.
             _ if !is_right && reader == Reader::Author => Ok(None),
             Picture::Scene(name, render) if missing.is_empty() => {
-                let render = |settings: &Settings| render(self.code, settings);
+                let render = |settings: &Settings| render(&(), settings);
                 compare_scene(folder, name, reader, &render, &mut image).map(Some)
             }
             Picture::Own(render) => {
-                image = Some(render(self.code, &own_settings()?)?);
+                image = Some(render(&(), &own_settings()?)?);
                 Ok(None)
             }
             _ => Ok(None),
@@ -152,6 +142,11 @@ impl<C: 'static> Program<'_, C> {
             verdict,
         }
     }
+}
+
+/// The answer to a question of these numbers; none if the code panics.
+pub fn answer_of(answer: &AnswerTo<()>, numbers: &[f64]) -> Option<Answer> {
+    catch_unwind(AssertUnwindSafe(|| answer(&(), numbers))).ok()
 }
 
 /// The message of a panic.

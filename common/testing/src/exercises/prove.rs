@@ -10,38 +10,12 @@ use common::{Transfer, picture_file};
 use exercise::{Record, Row};
 use libtest_mimic::{Arguments, Trial};
 
-use super::exercise::{Exercise, Picture};
+use super::exercise::Picture;
 use super::folder::StageFolder;
-use super::program::{Findings, Program, Reader, difference};
+use super::program::{Findings, Reader, difference};
+use super::{Entry, as_starter};
 
 type Proof = Result<(), Box<dyn Error>>;
-
-/// The codes of type `C` by which an exercise is proved.
-pub struct Codes<C> {
-    /// The exercise.
-    pub exercise: fn() -> Exercise<C>,
-    /// The code of the solution.
-    pub solution: fn() -> C,
-    /// The examples of the solution.
-    pub examples: fn(),
-    /// The code of the starter.
-    pub starter: fn() -> C,
-}
-
-/// An exercise, and how it is proved.
-pub struct Entry {
-    name: &'static str,
-    prove: Box<dyn Fn(&Author) -> Proof + Send + Sync>,
-}
-
-impl Entry {
-    /// The exercise of this name.
-    #[must_use]
-    pub fn new<C: 'static>(name: &'static str, codes: Codes<C>) -> Self {
-        let prove = Box::new(move |author: &Author| codes.prove(name, author));
-        Self { name, prove }
-    }
-}
 
 /// The author, who proves exercises.
 #[derive(Clone, Copy)]
@@ -75,53 +49,44 @@ pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
     }));
     let mut trials = Vec::new();
     for entry in entries {
-        let prove = move || (entry.prove)(&author).map_err(Into::into);
-        trials.push(Trial::test(entry.name, prove));
+        let name = entry.name;
+        let prove = move || author.prove(&entry).map_err(Into::into);
+        trials.push(Trial::test(name, prove));
     }
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
-impl<C: 'static> Codes<C> {
-    fn prove(&self, name: &str, author: &Author) -> Proof {
-        let mut exercise = (self.exercise)();
-        let folder = &author.folder;
+impl Author {
+    fn prove(&self, entry: &Entry) -> Proof {
+        let (name, folder) = (entry.name, &self.folder);
+        let mut exercise = (entry.exercise)();
         let recorded = folder.record(name, &mut exercise)?;
-        let solution = Program {
-            exercise: &exercise,
-            code: &(self.solution)(),
-        };
-        if solution.is_unfinished() {
+        if exercise.is_unfinished() {
             return Ok(());
         }
-        let starter = Program {
-            exercise: &exercise,
-            code: &(self.starter)(),
-        };
-        if !starter.is_unfinished() {
+        if !as_starter(|| exercise.is_unfinished()) {
             return Err("nothing is missing in the starter".into());
         }
-        let record = author.compare(name, recorded, solution.rows(), &exercise.picture)?;
-        let found = solution.run(self.examples, Some(&record), folder, author.reader());
+        let record = self.compare(name, recorded, exercise.rows(), &exercise.picture)?;
+        let found = exercise.run(entry.examples, Some(&record), folder, self.reader());
         if !found.verdict.wrong.is_empty() {
             return Err(format!("the solution: {}", found.verdict.wrong.join("\n")).into());
         }
-        author.compare_picture(name, &found)?;
+        self.compare_picture(name, &found)?;
         let asked = exercise.questions.iter();
         let questions: Vec<_> = asked.map(|asked| asked.question.text.clone()).collect();
         for mistake in &record.mistakes {
             let overlooks = &mistake.overlooks;
             let verdict = record.prove(mistake, &questions);
             let verdict = verdict.map_err(|problem| format!("mistake {overlooks}: {problem}"))?;
-            if author.is_shown {
+            if self.is_shown {
                 let known = verdict.known.unwrap_or_default();
                 println!("{}\n{known}\n", verdict.wrong.join("\n"));
             }
         }
         Ok(())
     }
-}
 
-impl Author {
     fn reader(&self) -> Reader {
         if self.is_shown {
             Reader::Student
@@ -132,12 +97,12 @@ impl Author {
 
     /// Records the rows of the solution and the picture of a scene with few samples, or fails if the
     /// recorded ones differ. Known mistakes stay.
-    fn compare<C>(
+    fn compare(
         &self,
         name: &str,
         recorded: Record,
         rows: Vec<Row>,
-        picture: &Picture<C>,
+        picture: &Picture<()>,
     ) -> Result<Record, Box<dyn Error>> {
         let file = self.folder.record_file(name);
         let picture = match picture {

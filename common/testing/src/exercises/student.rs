@@ -1,6 +1,7 @@
 //! `judge`: shows students the faults of their code.
 
 use std::collections::BTreeSet;
+use std::env;
 use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -9,25 +10,27 @@ use exercise::{BEGUN, MARK, Mode, Record, WORDS_MARK, print_answers};
 
 use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
-use super::exercise::Exercise;
 use super::folder::StageFolder;
-use super::program::{Program, Reader};
-use super::{Missing, take_missing};
+use super::program::Reader;
+use super::{Entry, Missing, take_missing};
+
+/// Judges the student's file of the exercise that the argument names.
+#[must_use]
+pub fn judge(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
+    let name = env::args().nth(1).unwrap_or_default();
+    let entry = entries.into_iter().find(|entry| entry.name == name);
+    if let Some(entry) = entry {
+        return judge_entry(folder, &entry);
+    }
+    say(&format!("this program has no exercise {name:?}"));
+    ExitCode::FAILURE
+}
 
 /// Runs the examples of a student's file, asks its code, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with [`BEGUN`] if parts are still missing.
-#[must_use]
-#[allow(
-    clippy::needless_pass_by_value,
-    reason = "a page keeps what it is given"
-)]
-pub fn judge<C: 'static>(
-    folder: &StageFolder,
-    name: &'static str,
-    mut exercise: Exercise<C>,
-    yours: C,
-    examples: fn(),
-) -> ExitCode {
+fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
+    let name = entry.name;
+    let mut exercise = (entry.exercise)();
     // A starter's examples fail, and nothing is wrong yet.
     let is_begun = folder.is_begun(name);
     let lines = Mutex::new(BTreeSet::new());
@@ -43,7 +46,7 @@ pub fn judge<C: 'static>(
     }));
     let mode = Mode::of_environment();
     if mode == Mode::Corpus {
-        let words = ask_corpus(name, &exercise, &yours);
+        let words = ask_corpus(name, &exercise);
         // Code that is not written answers each ray by a miss.
         if !take_missing().is_empty() {
             return ExitCode::from(BEGUN);
@@ -67,10 +70,6 @@ pub fn judge<C: 'static>(
             question.arguments
         ));
     }
-    let program = Program {
-        exercise: &exercise,
-        code: &yours,
-    };
     let reader = if is_printed {
         Reader::Grader
     } else {
@@ -78,7 +77,7 @@ pub fn judge<C: 'static>(
     };
     // The grader compares, and its right answers are not where a student's program could read them.
     let right = (!is_printed).then_some(&record);
-    let found = program.run(examples, right, folder, reader);
+    let found = exercise.run(entry.examples, right, folder, reader);
     if let Some(image) = found.image.filter(|_| !is_printed) {
         say(&folder.save(&image, &format!("{}-{name}.png", folder.stage().name)));
     }
@@ -100,7 +99,7 @@ pub fn judge<C: 'static>(
         print!("{}", print_answers(&found.given, found.painted.as_ref()));
     }
     if mode == Mode::Mistake {
-        let rows = program.rows();
+        let rows = exercise.rows();
         let record = Record {
             rows,
             mistakes: Vec::new(),
