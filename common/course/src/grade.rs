@@ -8,7 +8,7 @@ use crate::collected::Collected;
 use crate::exercises;
 use crate::grading_folder::GradingFolder;
 use crate::handed_file::HandedFile;
-use crate::judge::judge;
+use crate::judge::{StudentFile, judge};
 use crate::outcome::{Graded, Judged, Outcome, State};
 use crate::own_program;
 use crate::results;
@@ -103,7 +103,7 @@ impl Grade {
         Err(format!("these need a look: {}", unclear.join(", ")))
     }
 
-    /// Judges the files of a student, one after the other.
+    /// Judges the files of a student, those of a stage together.
     fn judge_exercises(
         &self,
         student: &str,
@@ -114,24 +114,32 @@ impl Grade {
     ) -> Result<Vec<Judged>, String> {
         let submission = Submission::new(files, course);
         let mut results = Vec::new();
-        for e in &self.exercises {
-            let mut file = String::new();
-            let outcome = match submission.find(e) {
-                Found::Nothing => Outcome::without_answers(State::NotHandedIn, ""),
-                Found::Unclear(why) => Outcome::without_answers(State::NeedsALook, &why),
-                Found::File { path, text } => {
-                    file = path;
-                    let outcome = judge(folder, e, text);
-                    unnamed.add(e, student, text, &outcome.unnamed)?;
-                    outcome
+        for of_stage in self.exercises.chunk_by(|a, b| a.stage == b.stage) {
+            let mut files = Vec::new();
+            for &exercise in of_stage {
+                if let Found::File { text, .. } = submission.find(exercise) {
+                    files.push(StudentFile { exercise, text });
                 }
-            };
-            results.push(Judged {
-                stage: e.stage,
-                name: e.name.to_owned(),
-                file,
-                outcome,
-            });
+            }
+            let mut judged = judge(folder, &files);
+            for &e in of_stage {
+                let mut file = String::new();
+                let outcome = match (submission.find(e), judged.remove(e.name)) {
+                    (Found::File { path, text }, Some(outcome)) => {
+                        file = path;
+                        unnamed.add(e, student, text, &outcome.unnamed)?;
+                        outcome
+                    }
+                    (Found::Unclear(why), _) => Outcome::without_answers(State::NeedsALook, &why),
+                    _ => Outcome::without_answers(State::NotHandedIn, ""),
+                };
+                results.push(Judged {
+                    stage: e.stage,
+                    name: e.name.to_owned(),
+                    file,
+                    outcome,
+                });
+            }
         }
         Ok(results)
     }

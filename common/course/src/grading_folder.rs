@@ -14,7 +14,7 @@ use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
 use crate::handout::Handout;
-use crate::judge::{record, record_file};
+use crate::judge::{StudentFile, record, record_file};
 use crate::sandbox::{End, Ended, Limits, Place, Sandbox};
 
 /// The files of a workbook by their paths.
@@ -65,7 +65,8 @@ impl GradingFolder {
         if let Some(fault) = self.faults.borrow().get(e.name) {
             return Ok(fault.clone());
         }
-        let built = self.build(e, &files::starter(e)?, Limits::All)?;
+        let text = &files::starter(e)?;
+        let built = self.build(&[StudentFile { exercise: e, text }], Limits::All)?;
         let fault =
             (built.end != End::Success).then(|| self.sandbox.words(&built, "does not compile"));
         self.faults.borrow_mut().insert(e.name, fault.clone());
@@ -92,19 +93,45 @@ impl GradingFolder {
         self.sandbox.folder.join("workbook").join(path)
     }
 
-    /// Builds the program of an exercise with a file, which is there only meanwhile: the next one
-    /// shall not find it.
-    pub fn build(&self, e: &Exercise, text: &str, limits: Limits) -> Result<Ended, String> {
-        let file = self.in_workbook(&format!("{}/exercises/{}.rs", e.stage, e.name));
-        fs::write(&file, text).map_err(with_path(&file))?;
-        let mut build = ["cargo", "--offline", "--quiet"]
-            .map(str::to_owned)
-            .to_vec();
-        build.extend(learn::arguments(e));
+    /// Builds a program of files of one student for exercises of one stage. They are there only meanwhile, and their
+    /// program until the next one is built, which shall find none of them.
+    pub fn build(&self, files: &[StudentFile], limits: Limits) -> Result<Ended, String> {
+        let deps = self.sandbox.folder.join("target/debug/deps");
+        remove_programs(&deps).map_err(with_path(&deps))?;
+        let mut build: Vec<_> = ["cargo", "--offline", "--quiet"].map(str::to_owned).into();
+        let names: Vec<_> = files.iter().map(|file| file.exercise.name).collect();
+        let stage = files.first().map_or("", |file| file.exercise.stage);
+        build.extend(learn::arguments(stage, &names));
+        let path = |name| self.in_workbook(&format!("{stage}/exercises/{name}.rs"));
+        for file in files {
+            let path = path(file.exercise.name);
+            fs::write(&path, file.text).map_err(with_path(&path))?;
+        }
         let built = self.sandbox.run(limits, Place::Workbook, build);
-        fs::remove_file(&file).map_err(with_path(&file))?;
+        for name in names {
+            let path = path(name);
+            fs::remove_file(&path).map_err(with_path(&path))?;
+        }
         built
     }
+}
+
+/// Removes the programs of students' files.
+fn remove_programs(deps: &Path) -> io::Result<()> {
+    if !deps.exists() {
+        return Ok(());
+    }
+    for file in fs::read_dir(deps)? {
+        let file = file?;
+        if file
+            .file_name()
+            .as_encoded_bytes()
+            .starts_with(b"exercises-")
+        {
+            fs::remove_file(file.path())?;
+        }
+    }
+    Ok(())
 }
 
 /// A workbook in which nothing is that a student's program could print: no solution, and questions without answers.

@@ -1,8 +1,9 @@
-//! `judge`: compiles a student's file, runs its program, and compares its answers.
+//! `judge`: compiles a student's files, runs their program, and compares its answers.
 //!
 //! The program prints its answers. The grader compares them with the recorded ones of its own
 //! workbook, which the program cannot read: so an exit code is no verdict.
 
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 
 use exercise::{Record, StudentAnswer, Verdict, read_answers, verdict};
@@ -13,21 +14,70 @@ use crate::grading_folder::GradingFolder;
 use crate::outcome::{Outcome, State};
 use crate::sandbox::{End, Ended, Limits, Place};
 
-/// Judges the text of a student's file. Faults of the grader end no grading: the file needs a look.
-pub fn judge(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Outcome {
-    judged(folder, e, text).unwrap_or_else(|fault| {
-        eprintln!("{}: the grader fails: {fault}", e.name);
-        Outcome::without_answers(State::NeedsALook, "the grader could not judge it")
-    })
+/// A student's file of an exercise.
+#[derive(Clone, Copy)]
+pub struct StudentFile<'a> {
+    pub exercise: &'static Exercise,
+    pub text: &'a str,
 }
 
-/// The outcome, or a fault of the grader.
-fn judged(folder: &GradingFolder, e: &'static Exercise, text: &str) -> Result<Outcome, String> {
-    let ended = match run(folder, e, text, &[])? {
-        Ok(ended) => ended,
-        Err(outcome) => return Ok(outcome),
-    };
-    let message = folder.sandbox.words(&ended, "not yet");
+/// Judges files of one student for exercises of one stage, by their names. Faults of the grader end no grading: the file needs a look.
+pub fn judge(folder: &GradingFolder, files: &[StudentFile]) -> BTreeMap<&'static str, Outcome> {
+    // A fault shows again where a file is built by itself.
+    let mut together = run_together(folder, files).unwrap_or_default();
+    let mut outcomes = BTreeMap::new();
+    for file in files {
+        let e = file.exercise;
+        let ended = match together.remove(e.name) {
+            Some(ended) => Ok(Ok(ended)),
+            None => run(folder, *file, &[]),
+        };
+        let judged = ended.and_then(|ended| match ended {
+            Ok(ended) => judge_answers(folder, e, &ended),
+            Err(outcome) => Ok(outcome),
+        });
+        let outcome = judged.unwrap_or_else(|fault| {
+            eprintln!("{}: the grader fails: {fault}", e.name);
+            Outcome::without_answers(State::NeedsALook, "the grader could not judge it")
+        });
+        outcomes.insert(e.name, outcome);
+    }
+    outcomes
+}
+
+/// Compiles all files that count into one program, which takes less time, and runs it for each. Empty if they do not
+/// compile together: then each is built by itself, which says what is wrong with it.
+///
+/// A file may do something to the others in its program. They are the same student's, who could
+/// have written the same into them; and no program finds that of another student.
+fn run_together(
+    folder: &GradingFolder,
+    files: &[StudentFile],
+) -> Result<BTreeMap<&'static str, Ended>, String> {
+    let mut all = BTreeMap::new();
+    let mut files = files.to_vec();
+    files.retain(|file| refusal(file.exercise, file.text).is_none());
+    if files.len() < 2 {
+        return Ok(all);
+    }
+    let _lock = folder.lock()?;
+    let built = folder.build(&files, Limits::Build)?;
+    if built.end == End::Success {
+        for file in files {
+            let ended = run_program(folder, file.exercise, &built, &[])?;
+            all.insert(file.exercise.name, ended);
+        }
+    }
+    Ok(all)
+}
+
+/// The outcome of a program that has ended, or a fault of the grader.
+fn judge_answers(
+    folder: &GradingFolder,
+    e: &'static Exercise,
+    ended: &Ended,
+) -> Result<Outcome, String> {
+    let message = folder.sandbox.words(ended, "not yet");
     let record = record(e)?;
     let (answers, painted) = read_answers(&ended.output);
     let mut found = verdict(&record, &answers);
@@ -61,10 +111,10 @@ pub fn record_file(e: &Exercise) -> String {
 /// of a file that has no program. The error is a fault of the grader.
 pub fn run(
     folder: &GradingFolder,
-    e: &'static Exercise,
-    text: &str,
+    file: StudentFile,
     by: &[&OsStr],
 ) -> Result<Result<Ended, Outcome>, String> {
+    let StudentFile { exercise: e, text } = file;
     let without_answers = |state, message: &str| Ok(Err(Outcome::without_answers(state, message)));
     if let Some(refused) = refusal(e, text) {
         // Words are a hint, and no proof: a person decides.
@@ -72,7 +122,7 @@ pub fn run(
     }
     let _lock = folder.lock()?;
     let sandbox = &folder.sandbox;
-    let built = folder.build(e, text, Limits::Build)?;
+    let built = folder.build(&[file], Limits::Build)?;
     match built.end {
         End::Success => {}
         // It says nothing about the file: the computer may have been busy.
@@ -97,9 +147,22 @@ pub fn run(
             return without_answers(State::Wrong, &message);
         }
     }
+    run_program(folder, e, &built, by).map(Ok)
+}
+
+/// Runs the program that was built for this exercise.
+fn run_program(
+    folder: &GradingFolder,
+    e: &Exercise,
+    built: &Ended,
+    by: &[&OsStr],
+) -> Result<Ended, String> {
     let program = learn::find_program(&built.output, "test")?;
-    let words = by.iter().copied().chain([program.as_ref()]);
-    sandbox.run(Limits::Check, Place::Workbook, words).map(Ok)
+    let words = by
+        .iter()
+        .copied()
+        .chain([program.as_ref(), e.name.as_ref()]);
+    folder.sandbox.run(Limits::Check, Place::Workbook, words)
 }
 
 /// The outcome of a program whose answers are wrong, or that says that something else is.

@@ -10,7 +10,7 @@ use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
 
 use crate::grading_folder::GradingFolder;
-use crate::judge::{record, record_file, run};
+use crate::judge::{StudentFile, record, record_file, run};
 use crate::sandbox::End;
 
 /// Gives the mistake of a student's file a sentence, which everybody reads who makes it
@@ -46,7 +46,11 @@ impl Mistake {
             return Err(format!("the question {arguments} has no right answer yet"));
         }
         let folder = GradingFolder::new(course, &[e])?;
-        let output = output(&folder, e, &students)?;
+        let file = StudentFile {
+            exercise: e,
+            text: &students,
+        };
+        let output = output(&folder, file)?;
         let (given, _) = read_answers(&output);
         self.check_is_unknown(&record, &given, fact)?;
 
@@ -113,9 +117,9 @@ fn fact(words: &str) -> Result<&str, String> {
 }
 
 /// The output of a student's program that answers all questions.
-fn output(folder: &GradingFolder, e: &'static Exercise, students: &str) -> Result<String, String> {
+fn output(folder: &GradingFolder, file: StudentFile) -> Result<String, String> {
     let asked = format!("{MODE}={}", Mode::Mistake.name());
-    let ended = match run(folder, e, students, &["env".as_ref(), asked.as_ref()])? {
+    let ended = match run(folder, file, &["env".as_ref(), asked.as_ref()])? {
         Ok(ended) => ended,
         Err(outcome) => return Err(text::message(&outcome.message)),
     };

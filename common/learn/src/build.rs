@@ -29,7 +29,7 @@ pub enum Build {
 /// Builds the test program of an exercise.
 pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> {
     let mut cargo = Command::new("cargo");
-    cargo.arg("--quiet").args(arguments(e));
+    cargo.arg("--quiet").args(arguments(e.stage, &[e.name]));
     // After a save, only functions that have changed are compiled again: those of a unit are
     // compiled together, so there are many units.
     cargo.args(["-C", "incremental=target/learn", "-C", "codegen-units=256"]);
@@ -103,18 +103,20 @@ fn is_locked(lock: &Path) -> bool {
     matches!(lock.try_lock(), Err(TryLockError::WouldBlock))
 }
 
-/// Cargo's words for the test program of an exercise.
-pub fn arguments(e: &Exercise) -> Vec<String> {
+/// Cargo's words for the test program of a stage with the files of these exercises.
+#[must_use]
+pub fn arguments(stage: &str, names: &[&str]) -> Vec<String> {
     // Messages name the file by its shortest path, and not by way of the test.
-    let shortest = files::shortest(&format!("{}/exercises", e.stage));
-    let long = format!("{}/tests/exercises/../../exercises", e.stage);
+    let shortest = files::shortest(&format!("{stage}/exercises"));
+    let long = format!("{stage}/tests/exercises/../../exercises");
     let prefix = format!("--remap-path-prefix={long}={}", shortest.display());
     let words = "--test exercises --profile test --message-format json-render-diagnostics";
-    let words = format!("rustc --package {} {words}", e.stage);
+    let words = format!("rustc --package {stage} {words}");
     // The stages' profile optimises the check of a file, too, which takes longer than all its answers.
-    let own = "-- --cfg learn -A unused -C opt-level=0 --cfg";
+    let own = "-- --cfg learn -A unused -C opt-level=0";
+    let names = names.iter().flat_map(|name| ["--cfg", name]);
     let all = words.split(' ').chain(own.split(' '));
-    let all = all.chain([e.name, &*prefix]);
+    let all = all.chain([&*prefix]).chain(names);
     all.map(str::to_owned).collect()
 }
 
