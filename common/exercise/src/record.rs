@@ -203,6 +203,9 @@ other 0.1 | 4294967295 = \"none\" ~ rounding decides
         let asked = Record::read(&text).unwrap();
         assert_eq!(asked.questions, record.questions);
         assert!(!asked.rows.iter().any(Row::is_recorded));
+        let of_empty_list = "words the mean of {}\nsimple\nother\n";
+        let record = Record::read(of_empty_list).unwrap();
+        assert_eq!(record.to_string(), of_empty_list);
     }
 
     #[test]

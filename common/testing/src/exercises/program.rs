@@ -52,6 +52,7 @@ struct Comparison {
 
 impl Exercise<()> {
     /// The rows of its answers. Where the code panics, its answer is none.
+    #[must_use]
     pub fn rows(&self) -> Vec<Row> {
         let mut rows = Vec::new();
         for asked in &self.questions {
@@ -62,6 +63,7 @@ impl Exercise<()> {
     }
 
     /// Whether a part of its code is missing.
+    #[must_use]
     pub fn is_unfinished(&self) -> bool {
         take_missing();
         self.given();
