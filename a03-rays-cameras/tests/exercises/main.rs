@@ -9,9 +9,9 @@ mod sky;
 mod prelude {
     pub use a02_math::arrays::{array, point, unit, vector};
     pub use a02_math::*;
-    pub use a03_kinds::camera::*;
+    pub use a03_questions::camera::*;
     // Its name in starters.
-    pub use a03_kinds::camera::OwnCamera as Own;
+    pub use a03_questions::camera::OwnCamera as Own;
     pub use a03_rays_cameras::*;
     pub use common::*;
     pub use testing::exercises::*;

@@ -1,5 +1,5 @@
 //! The code that joins the lesson with its program, the engine and scene files: the scenes by name, a row for each
-//! shape (`kinds`), and wrappers that count and record (`instruments`).
+//! shape (`registry`), and wrappers that count and record (`instruments`).
 
 pub mod instruments;
 pub mod registry;

@@ -7,13 +7,13 @@
 mod prelude {
     pub use a02_math::arrays::{array, point, vector};
     pub use a02_math::*;
-    pub use a03_kinds::camera::*;
+    pub use a03_questions::camera::*;
     pub use a03_rays_cameras::*;
     pub use a04_intersections::scenes::*;
     pub use a04_intersections::*;
-    pub use a04_kinds::boxes::*;
-    pub use a04_kinds::shape::*;
-    pub use a04_kinds::shown::*;
+    pub use a04_questions::boxes::*;
+    pub use a04_questions::shape::*;
+    pub use a04_questions::shown::*;
     pub use common::*;
     pub use testing::exercises::*;
     // Not the picture of a scene.

@@ -1,5 +1,5 @@
 //! The code that joins the lesson with its program, the engine and scene files: the scenes by name, and a row for
-//! each shape (`kinds`).
+//! each shape (`registry`).
 
 pub mod registry;
 mod stage;

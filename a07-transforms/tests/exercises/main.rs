@@ -12,8 +12,8 @@ mod prelude {
     pub use a02_math::*;
     pub use a03_rays_cameras::*;
     pub use a04_intersections::*;
-    pub use a04_kinds::shape::*;
-    pub use a04_kinds::shown::*;
+    pub use a04_questions::shape::*;
+    pub use a04_questions::shown::*;
     pub use a05_lighting::*;
     pub use a06_shadows_reflection::*;
     pub use a07_transforms::*;
