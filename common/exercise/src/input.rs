@@ -87,11 +87,13 @@ impl Input for Color {
 }
 
 /// A number with as many digits as a reader needs to follow it.
+///
+/// It has all of them if it lies just beside a shorter one, such as 2.000000000001.
 pub(crate) fn shown(number: f64) -> String {
     // Without the sign of -0.
     let exact = format!("{:?}", number + 0.0);
     match number.abs() {
-        _ if exact.len() < 12 => exact.trim_end_matches(".0").to_owned(),
+        _ if exact.len() < 16 => exact.trim_end_matches(".0").to_owned(),
         1e-3..1e6 => format!("{number:.9}")
             .trim_end_matches(['0', '.'])
             .to_owned(),

@@ -69,21 +69,25 @@ impl Mistake {
         answers
     }
 
-    /// The number of wrong answers that this mistake explains; `None` if an answer contradicts it.
+    /// The number of wrong answers that this mistake explains; `None` if an answer contradicts it, or
+    /// if all wrong ones are to questions of which it is not known how it answers them.
     /// Each answer stands with whether it is wrong, or is `None` where rounding decides the right
     /// one.
     pub(crate) fn explains(&self, answers: &[Option<(Answer, bool)>]) -> Option<usize> {
         let mut explained = 0;
+        let mut is_told = false;
         for (number, answer) in answers.iter().enumerate() {
             let Some((yours, is_wrong)) = answer else {
                 continue;
             };
+            let is_undecided = self.undecided_rows.contains(&number);
+            is_told |= *is_wrong && !is_undecided;
             let has_mistake = match self.answers.get(&number) {
                 Some((answer, tolerance)) => match tolerance.difference(answer, yours) {
                     Ok(difference) => difference.is_none(),
                     Err(NoSingleAnswer) => continue,
                 },
-                None if self.undecided_rows.contains(&number) => true,
+                None if is_undecided => true,
                 None => self.further_wrong_rows.contains(&number) == *is_wrong,
             };
             if !has_mistake {
@@ -91,6 +95,28 @@ impl Mistake {
             }
             explained += usize::from(*is_wrong);
         }
-        Some(explained)
+        is_told.then_some(explained)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where it is not known how a mistake answers, a wrong answer does not tell that code makes it.
+    #[test]
+    fn undecided_answers_tell_no_mistake() {
+        let decides = (Answer::words("none"), Tolerance::RoundingDecides);
+        let mistake = Mistake {
+            answers: [(0, decides)].into(),
+            undecided_rows: [1].into(),
+            ..Mistake::default()
+        };
+        let explains = |first| {
+            let answers = [first, true].map(|is_wrong| Some((Answer::words("1"), is_wrong)));
+            mistake.explains(&answers)
+        };
+        assert_eq!(explains(true), Some(1));
+        assert_eq!(explains(false), None);
     }
 }
