@@ -218,3 +218,15 @@ macro_rules! tuples {
 }
 
 tuples! { A B; A B C; A B C D; A B C D E; A B C D E F; A B C D E F G; }
+
+#[cfg(test)]
+mod tests {
+    use super::shown;
+
+    #[test]
+    fn a_number_is_told_from_a_shorter_one_beside_it() {
+        assert_eq!(shown(2.0), "2");
+        assert_eq!(shown(2.000_000_000_001), "2.000000000001");
+        assert_eq!(shown(1.0 / 3.0), "0.333333333");
+    }
+}
