@@ -64,21 +64,17 @@ fn parts_answer(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Answer {
     let part = |min, max| shape.hit(ray, Interval { min, max }).map(|hit| hit.t);
     let ends_with_hit = part(within.min, t).is_some_and(|end| end >= t);
     let begins_with_hit = part(t, within.max).is_some_and(|end| end <= t);
-    Answer::named("the part that ends there", end_answer(ends_with_hit))
-        .and("the part that begins there", end_answer(begins_with_hit))
-        .and("the part that ends before, t", part(within.min, t * 0.999))
+    Answer::named("the hit within (min, t)", end_answer(ends_with_hit))
+        .and("the hit within (t, max)", end_answer(begins_with_hit))
+        .and("t within (min, 0.999 t)", part(within.min, t * 0.999))
         .and(
-            "the part from just behind, t",
+            "t within (1.000001 t, max)",
             part(t * (1.0 + 1e-6), within.max),
         )
 }
 
 fn end_answer(has_hit: bool) -> Answer {
-    Answer::words(if has_hit {
-        "a hit at its end"
-    } else {
-        "no hit at its end"
-    })
+    Answer::words(if has_hit { "one at t" } else { "none at t" })
 }
 
 /// Origin and direction of a ray, and the ends of the interval.
