@@ -6,6 +6,12 @@ use common::{Color, Sampling};
 
 use crate::text::take_quoted;
 
+/// The zeros at the end of nine decimals by which a number seems to be a shorter one.
+const ZEROS: usize = 3;
+
+/// Some roundings: 254.17999999999998 is shown as 254.18.
+const ROUNDING: f64 = 1e-15;
+
 /// The arguments that a line still has, with `|` between them.
 pub type Arguments<'t> = Split<'t, char>;
 
@@ -54,14 +60,7 @@ impl Input for f64 {
     }
 
     fn words(&self) -> Vec<String> {
-        let words = shown(*self);
-        // Whether 1 + 1e-12 is inside or outside is seen from its last digits alone.
-        let is_near = |shown: f64| (shown - self).abs() <= 1e-15 * self.abs();
-        vec![if words.parse().is_ok_and(is_near) {
-            words
-        } else {
-            self.to_string()
-        }]
+        vec![shown(*self)]
     }
 
     fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
@@ -86,22 +85,30 @@ impl Input for Color {
     }
 }
 
-/// A number with as many digits as a reader needs to follow it.
-///
-/// It has all of them if it lies just beside a shorter one, such as 2.000000000001.
+/// A number with as many digits as a reader needs to follow it, or with all if it lies just beside a shorter
+/// one: of 1.000000000001, only they say that it is outside of a sphere of radius 1.
 pub(crate) fn shown(number: f64) -> String {
     // Without the sign of -0.
-    let exact = format!("{:?}", number + 0.0);
-    match number.abs() {
-        _ if exact.len() < 16 => exact.trim_end_matches(".0").to_owned(),
-        1e-3..1e6 => format!("{number:.9}")
-            .trim_end_matches(['0', '.'])
-            .to_owned(),
-        _ => {
-            let text = format!("{number:.9e}");
-            let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-            format!("{}e{exponent}", digits.trim_end_matches(['0', '.']))
-        }
+    let number = number + 0.0;
+    let exact = format!("{number:?}");
+    if exact.len() < 12 {
+        return exact.trim_end_matches(".0").to_owned();
+    }
+    let (digits, exponent) = if (1e-3..1e6).contains(&number.abs()) {
+        (format!("{number:.9}"), String::new())
+    } else {
+        let text = format!("{number:.9e}");
+        let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        (digits.to_owned(), format!("e{exponent}"))
+    };
+    let significant = digits.trim_end_matches('0').trim_end_matches('.');
+    let short = format!("{significant}{exponent}");
+    let is_rounded = digits.len() - significant.len() >= ZEROS;
+    let is_equal = |short: f64| (short - number).abs() <= ROUNDING * number.abs();
+    if is_rounded && !short.parse().is_ok_and(is_equal) {
+        exact
+    } else {
+        short
     }
 }
 
@@ -227,6 +234,10 @@ mod tests {
     fn a_number_is_told_from_a_shorter_one_beside_it() {
         assert_eq!(shown(2.0), "2");
         assert_eq!(shown(2.000_000_000_001), "2.000000000001");
+        assert_eq!(shown(10.000_000_000_000_2), "10.0000000000002");
+        assert_eq!(shown(1.000_000_000_01e-7), "1.00000000001e-7");
+        assert_eq!(shown(254.179_999_999_999_98), "254.18");
         assert_eq!(shown(1.0 / 3.0), "0.333333333");
+        assert_eq!(shown(-0.0), "0");
     }
 }
