@@ -98,7 +98,10 @@ impl Grade {
             results::write(folder, &graded)?;
         }
         if unclear.is_empty() {
-            return Ok(format!("{} submissions are judged", graded.len()));
+            return Ok(match graded.len() {
+                1 => "1 submission is judged".to_owned(),
+                count => format!("{count} submissions are judged"),
+            });
         }
         Err(format!("these need a look: {}", unclear.join(", ")))
     }

@@ -42,7 +42,11 @@ impl GradingFolder {
             faults: RefCell::default(),
         };
         let root = folder.in_workbook("");
-        for folder in [&root, &folder.sandbox.folder.join("target")] {
+        let target = folder.sandbox.folder.join("target");
+        if !target.exists() {
+            eprintln!("First the workbook is built for grading, which takes about a minute.");
+        }
+        for folder in [&root, &target] {
             fs::create_dir_all(folder).map_err(with_path(folder))?;
         }
         let lock = folder.lock()?;
