@@ -181,13 +181,20 @@ mod tests {
                 }
             }
             let hints = e.hints();
-            assert!(hints.len() > usize::from(e.is_core), "{name}");
+            assert!(
+                hints.len() > usize::from(e.is_core),
+                "exercises.toml lacks a hint of {name}"
+            );
             let last = hints.last().unwrap();
             assert_eq!(last.contains(lines::BEGINNING), e.is_core, "{name}: {last}");
-            assert!(files::shortest(e.solution).exists(), "{name}");
+            assert!(
+                files::shortest(e.solution).exists(),
+                "{name} lacks {}",
+                e.solution
+            );
             assert_eq!(!e.solution.contains("/solutions/"), e.is_core, "{name}");
             let check = format!("{}/tests/exercises/{name}.rs", e.stage);
-            assert!(files::shortest(&check).exists(), "{name}");
+            assert!(files::shortest(&check).exists(), "{name} lacks {check}");
         }
     }
 
