@@ -35,7 +35,7 @@ fn each_row_of_shapes_has_a_table_and_each_table_a_row() {
 #[test]
 fn each_table_of_lights_has_a_row() {
     let rows: BTreeSet<_> = LIGHTS.0.iter().map(|row| row.key).collect();
-    assert_eq!(rows, listed(true));
+    assert_eq!(rows, listed(true), "keys.md and LIGHTS list other lights");
     for kind in TABLES.iter().filter(|kind| kind.is_light()) {
         let has_shadows = kind.keys.iter().any(|key| key.name == "shadows");
         assert!(has_shadows, "keys.md lacks `shadows` of {}", kind.name);
@@ -94,7 +94,7 @@ fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
                 let text = format!(
                     "[camera]\neye = [2.5, 2.5, 2.5]\nlook_at = [0, 0, 0]\nangle = 80\n\
                     [material.white]\ndiffuse = [1, 1, 1]\n{light}\
-                    [[sphere]]\nmaterial = \"white\"\ncenter = [0, 0, 0]\nradius = 0.4\n\
+                    [[sphere]]\nmaterial = \"white\"\ncenter = [0, 0, 0]\nradius = 0.8\n\
                     [[box]]\nmaterial = \"white\"\nlbf = [-3, -3, -3]\nrun = [3, 3, 3]\n"
                 );
                 // A direction may be no numbers but 0.
@@ -106,11 +106,13 @@ fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
     }
 }
 
-/// Points at distances from 10^-12 to 10^5 from each vector of a table.
+/// Points at distances from 10^-12 to 10^5 from each vector of a table, and from the vector downwards.
 fn points(item: &Item) -> Vec<Point3> {
     let vector = |key: &Key| item.find_vector(key.name, Vector3::new);
     let keys = item.kind.keys.iter().filter(|key| has_numbers(key));
-    let vectors: Vec<_> = keys.filter_map(vector).collect();
+    let mut vectors: Vec<_> = keys.filter_map(vector).collect();
+    // A light's table may have no vector.
+    vectors.push(Vector3::new(0.0, -1.0, 0.0));
     let mut points = Vec::new();
     for place in &vectors {
         for direction in &vectors {
