@@ -7,12 +7,12 @@ mod assertion;
 #[cfg(not(target_family = "wasm"))]
 mod corpus;
 mod exercise;
+#[cfg(not(target_family = "wasm"))]
+mod findings;
 mod folder;
 #[cfg(target_family = "wasm")]
 mod in_browser;
 mod missing;
-#[cfg(not(target_family = "wasm"))]
-mod program;
 #[cfg(not(target_family = "wasm"))]
 mod prove;
 #[cfg(not(target_family = "wasm"))]

@@ -3,7 +3,7 @@
 use corpus::{CASES, Case, DOUBLE, Question, Shape, judge};
 
 use super::exercise::Exercise;
-use super::program::answer_of;
+use super::findings::answer_of;
 
 /// For how many rays of the corpus a shape is right, and the first for which it is not. The first form
 /// of question of a shape's exercise takes the numbers of the shape, then those of the ray and its interval.

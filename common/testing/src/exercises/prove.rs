@@ -11,8 +11,8 @@ use exercise::{Record, Row};
 use libtest_mimic::{Arguments, Trial};
 
 use super::exercise::Picture;
+use super::findings::{Findings, Reader, difference};
 use super::folder::StageFolder;
-use super::program::{Findings, Reader, difference};
 use super::{Entry, as_starter};
 
 type Proof = Result<(), Box<dyn Error>>;

@@ -10,8 +10,8 @@ use exercise::{BEGUN, MARK, Mode, Record, WORDS_MARK, print_answers};
 
 use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
+use super::findings::Reader;
 use super::folder::StageFolder;
-use super::program::Reader;
 use super::{Entry, Missing, take_missing};
 
 /// Judges the student's file of the exercise that the argument names.
