@@ -27,7 +27,7 @@ pub fn complaints(files: &Files) -> Vec<String> {
     found
 }
 
-/// What the solutions of exercises lack: their check, their row, and their section in the book.
+/// The check, the row, or the section in the book that a solution of an exercise lacks.
 pub fn exercises(files: &Files) -> Vec<String> {
     let mut found = Vec::new();
     for (path, _) in files.rust() {

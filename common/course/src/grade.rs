@@ -118,16 +118,18 @@ impl Grade {
         let submission = Submission::new(files, course);
         let mut results = Vec::new();
         for of_stage in self.exercises.chunk_by(|a, b| a.stage == b.stage) {
-            let mut files = Vec::new();
+            let (mut found, mut files) = (Vec::new(), Vec::new());
             for &exercise in of_stage {
-                if let Found::File { text, .. } = submission.find(exercise) {
+                let file = submission.find(exercise);
+                if let Found::File { text, .. } = file {
                     files.push(StudentFile { exercise, text });
                 }
+                found.push((exercise, file));
             }
             let mut judged = judge(folder, &files);
-            for &e in of_stage {
+            for (e, found) in found {
                 let mut file = String::new();
-                let outcome = match (submission.find(e), judged.remove(e.name)) {
+                let outcome = match (found, judged.remove(e.name)) {
                     (Found::File { path, text }, Some(outcome)) => {
                         file = path;
                         unnamed.add(e, student, text, &outcome.unnamed)?;

@@ -61,7 +61,7 @@ pub fn text(student: &Graded) -> String {
         }
     }
     let mut text = format!("{}: {}\n", student.name, counts.join(", "));
-    // What is said about several exercises, such as that a zip file does not open, is said once.
+    // A message about several exercises, such as that a zip file does not open, is printed once.
     let is_same = |a: &Judged, b: &Judged| a.file == b.file && a.outcome == b.outcome;
     for judged in student.results.chunk_by(is_same) {
         let names: Vec<_> = judged.iter().map(|judged| &*judged.name).collect();

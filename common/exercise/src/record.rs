@@ -2,10 +2,11 @@
 //!
 //! A line begins with the word that says what it is. `mistake m1` has the fact that a known mistake
 //! overlooks. `words` begins the questions of one form, with `{}` instead of each argument. `simple` or
-//! `other` asks one, with `|` between its arguments. After `=` stands its right answer, and after `~` how far the numbers of the answer may move, beside their
-//! own rounding: nothing where they must not, and `rounding decides` where every answer is right. The lines
-//! below it tell of code with known mistakes: its answer, such as `m1 = 0`; `wrong`, for which mistakes
-//! another one is wrong; and `either`, for which it is not known.
+//! `other` asks one, with `|` between its arguments. After `=` stands its right answer, and after `~` how
+//! far the numbers of the answer may move, beside their own rounding: nothing where they must not, and
+//! `rounding decides` where every answer is right. The lines below it tell of code with known mistakes:
+//! its answer, such as `m1 = 0`; `wrong`, for which mistakes another one is wrong; and `either`, for which
+//! it is not known.
 
 mod reader;
 

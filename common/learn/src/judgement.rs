@@ -103,7 +103,7 @@ fn does_not_compile(e: &Exercise, printed: String) -> Report {
     }
 }
 
-/// What a student's file lacks of the public items of the starter, in words; none if all are there, or if the file
+/// The public items of the starter that a student's file lacks, in words; none if all are there, or if the file
 /// cannot be read.
 #[must_use]
 pub fn lacks(e: &Exercise, text: &str) -> Option<String> {

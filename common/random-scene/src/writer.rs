@@ -20,7 +20,7 @@ pub struct Writer<'a> {
     numbers: Numbers<'a>,
     stage: u8,
     accepts: &'a dyn Fn(&SceneText) -> bool,
-    /// What tables need beside them: the camera, the materials and the definitions, without their shapes.
+    /// The first tables: the camera, the materials and the definitions, without their shapes.
     head: String,
     /// All other tables.
     text: String,

@@ -110,7 +110,7 @@ macro_rules! exercises {
             $(pub mod $name;)+
         }
 
-        // What is done with them.
+        // Students' files are judged, and solutions are proved.
         #[cfg(learn)]
         use {$crate::exercises::judge as run, yours as files};
         #[cfg(not(learn))]

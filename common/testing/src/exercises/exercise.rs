@@ -13,7 +13,7 @@ pub type Render<C> = Box<dyn Fn(&C, &Settings) -> Result<Image, Error>>;
 
 /// An exercise about code of the type `C`, such as a function.
 pub struct Exercise<C> {
-    /// What the code is asked, in this order, once it is known.
+    /// The questions of its file, in their order; none before the file is read.
     pub questions: Vec<CodeQuestion<()>>,
     /// The forms of the questions that the exercise's file asks.
     pub forms: Vec<Form<C>>,

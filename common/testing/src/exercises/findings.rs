@@ -1,4 +1,4 @@
-//! What an exercise with code in it answers and paints.
+//! `Findings`: the answers and the picture of an exercise with code in it.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -25,7 +25,7 @@ pub fn is_starter() -> bool {
     IS_STARTER.get()
 }
 
-/// What a solution does without the code that is left to the student.
+/// Runs solutions as starters, which lack the code that is left to the student.
 #[cfg(not(target_family = "wasm"))]
 pub(crate) fn as_starter<T>(run: impl FnOnce() -> T) -> T {
     IS_STARTER.set(true);
