@@ -217,6 +217,16 @@ pub fn assert_close_about(about: &str, yours: impl Into<Answer>, right: impl Int
     }
 }
 
+/// As the macro of this name without words, which files begun from an earlier starter call.
+///
+/// # Panics
+///
+/// Panics with the difference if there is one.
+#[track_caller]
+pub fn assert_close(yours: impl Into<Answer>, right: impl Into<Answer>) {
+    assert_close_about("an example", yours, right);
+}
+
 /// An assertion of an example, with words about it or its own: `assert_close!(1.0 + 1.0, 2.0, "a sum")`.
 /// Formulas may round its numbers differently.
 #[macro_export]

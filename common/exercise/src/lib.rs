@@ -22,10 +22,10 @@ mod student_output;
 mod text;
 mod verdict;
 
-pub use answer::{Answer, assert_close_about};
+pub use answer::{Answer, assert_close, assert_close_about};
 pub use input::{Arguments, Input};
 pub use mistake::Mistake;
-pub use mode::{BEGUN, MODE, Mode};
+pub use mode::{BEGUN, MODE, Mode, SECONDS};
 pub use question::Question;
 pub use question_line::QuestionLine;
 pub use record::Record;

@@ -5,6 +5,9 @@ use std::env;
 /// The variable with the name of a mode.
 pub const MODE: &str = "EXERCISE_MODE";
 
+/// The variable with the longest time in seconds that a student's check may take.
+pub const SECONDS: &str = "LEARN_SECONDS";
+
 /// The exit code of the program of a check if parts of the student's code are still missing.
 pub const BEGUN: u8 = 3;
 

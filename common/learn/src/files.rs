@@ -106,6 +106,12 @@ pub(crate) fn begin(exercise: &Exercise) -> Result<(), String> {
     if yours.exists() {
         return Ok(());
     }
+    if yours.is_symlink() {
+        let yours = text::path(&yours);
+        return Err(format!(
+            "{yours} is a link to a file that is missing; delete the link, or write that file"
+        ));
+    }
     if let Some(near) = near_name(&yours, exercise.name) {
         let [near, yours] = [near, yours].map(|path| text::path(&path));
         return Err(format!("there is {near}; rename it to {yours}"));
@@ -150,7 +156,7 @@ fn free_backup(file: &Path) -> PathBuf {
     let mut number = 1;
     loop {
         let backup = file.with_extension(format!("{number}.bak"));
-        if !backup.exists() {
+        if !backup.exists() && !backup.is_symlink() {
             return backup;
         }
         number += 1;

@@ -5,7 +5,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io};
 
-use ::exercise::{MODE, Mode};
+use ::exercise::{MODE, Mode, SECONDS};
 use common::text;
 
 use crate::build::{Build, build};
@@ -15,13 +15,16 @@ use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::{limited, run};
 use crate::progress::Progress;
-use crate::public_items::public_items;
+use crate::public_items::{PublicItem, public_items};
 use crate::refusal::refusal;
 use crate::report::Report;
 use crate::screen::Space;
 
-/// The longest time in seconds that a check may take, unless `LEARN_SECONDS` is another.
+/// The longest time in seconds that a check may take, unless the variable [`SECONDS`] is another.
 const MAX_SECONDS: u64 = 10;
+
+/// The folder of the checks in a stage.
+const CHECKS: &str = "tests/exercises/";
 
 /// Checks a student's file, and records whether it is done. Output is cut to the space.
 pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watcher) -> Report {
@@ -77,30 +80,57 @@ fn build_and_run(
             check.arg(e.name).env(MODE, mode.name());
             run_check(e, check, program.as_ref(), space, watcher)
         }
-        Build::Failed(printed) => Ok(Some(does_not_compile(e, printed))),
+        Build::Failed(printed) => Ok(Some(does_not_compile(e, &printed))),
         Build::Stopped => Ok(None),
     }
 }
 
-fn does_not_compile(e: &Exercise, printed: String) -> Report {
+/// The compiler's words, without errors in the check, into which they would send the student.
+fn does_not_compile(e: &Exercise, printed: &str) -> Report {
     let file = files::yours(e);
     let text = files::text_of(&file).unwrap_or_default();
-    let place = first_place_of_error(&printed);
-    let words = match lacks(e, &text) {
-        // The compiler would send the student into the check.
-        Some(lacks) if !place.starts_with(&*text::path(&file)) => return Report::new(e, &lacks),
-        Some(lacks) => lacks,
-        None if place.contains("tests/exercises/") => {
-            "the check calls your code by the names and in the forms of the starter; look at yours"
-                .to_owned()
-        }
-        None => String::new(),
-    };
+    let (message, place) = first_error(printed);
+    let is_own = place.starts_with(&*text::path(&file));
+    let lacks = lacks(e, &text);
+    if let Some(lacks) = lacks.as_ref().filter(|_| !is_own) {
+        return Report::new(e, lacks);
+    }
+    if printed.contains(CHECKS)
+        && let Some(differs) = differing_signature(e, &text)
+    {
+        return Report::new(e, &differs);
+    }
+    if place.contains(CHECKS) {
+        let words = format!(
+            "it does not fit the check: {message}; look at the names and types of the starter"
+        );
+        return Report::new(e, &words);
+    }
+    let errors = printed.split("\n\n");
+    let own: Vec<_> = errors.filter(|error| !error.contains(CHECKS)).collect();
     Report {
-        printed,
-        words,
+        printed: own.join("\n\n"),
+        words: lacks.unwrap_or_default(),
         ..Report::new(e, "does not compile")
     }
+}
+
+/// A public function of the starter that takes or returns other types in a student's file, in words.
+fn differing_signature(e: &Exercise, text: &str) -> Option<String> {
+    let yours = public_items(text).ok()?;
+    let wanted = files::starter(e).and_then(|starter| public_items(&starter));
+    for item in wanted.ok()? {
+        let is_other = |other: &&PublicItem| other.name == item.name && other.types != item.types;
+        if item.beginning.ends_with(&format!("fn {}", item.name))
+            && let Some(other) = yours.iter().find(is_other)
+        {
+            let (yours, starter) = (&other.signature, &item.signature);
+            return Some(format!(
+                "`{yours}` must be `{starter}`, as the check calls it"
+            ));
+        }
+    }
+    None
 }
 
 /// The public items of the starter that a student's file lacks, in words; none if all are there, or if the file
@@ -118,12 +148,14 @@ pub fn lacks(e: &Exercise, text: &str) -> Option<String> {
     (!lacking.is_empty()).then(|| format!("the file lacks {}", lacking.join(" and ")))
 }
 
-/// The file and the line of the compiler's first error.
-fn first_place_of_error(printed: &str) -> String {
+/// The compiler's first error, and its file and line.
+fn first_error(printed: &str) -> (String, String) {
     let plain = console::strip_ansi_codes(printed);
     let mut lines = plain.lines().skip_while(|line| !line.starts_with("error"));
+    let message = lines.next().and_then(|line| line.split_once(": "));
+    let (_, message) = message.unwrap_or_default();
     let place = lines.find_map(|line| line.trim_start().strip_prefix("--> "));
-    place.unwrap_or_default().to_owned()
+    (message.to_owned(), place.unwrap_or_default().to_owned())
 }
 
 /// Runs the test program. There is no report if the watcher stops it.
@@ -141,8 +173,9 @@ fn run_check(
     check.stderr(to_output);
     let output = OutputReader::start(output);
 
-    let limit = env::var("LEARN_SECONDS").ok();
+    let limit = env::var(SECONDS).ok();
     let seconds = limit.and_then(|n| n.parse().ok()).unwrap_or(MAX_SECONDS);
+    check.env(SECONDS, seconds.to_string());
     let limit = Duration::from_secs(seconds);
     let start = Instant::now();
     let status = run(check, &mut || {
@@ -182,21 +215,20 @@ fn run_check(
 
 #[cfg(test)]
 mod tests {
-    use super::first_place_of_error;
+    use super::first_error;
 
     #[test]
-    fn the_first_place_is_that_of_an_error() {
+    fn the_first_error_is_no_warning() {
         let [own, check] = ["exercises/own.rs:1:2", "tests/exercises/own.rs:3:4"];
         let warning = format!("warning: unused\n --> {check}\n");
         let colored =
             format!("\u{1b}[1merror[E0308]\u{1b}[0m: types\n  \u{1b}[94m--> \u{1b}[0m{own}\n");
         let note = format!("note: called here\n --> {check}\n");
-        assert_eq!(
-            first_place_of_error(&[warning, colored, note].concat()),
-            own
-        );
+        let error = |message: &str, place: &str| (message.to_owned(), place.to_owned());
+        let printed = [warning, colored, note].concat();
+        assert_eq!(first_error(&printed), error("types", own));
         let of_check = format!("error: no such function\n --> {check}\n");
-        assert_eq!(first_place_of_error(&of_check), check);
-        assert_eq!(first_place_of_error("error: no target"), "");
+        assert_eq!(first_error(&of_check), error("no such function", check));
+        assert_eq!(first_error("error: no target"), error("no target", ""));
     }
 }

@@ -39,7 +39,7 @@ impl Submit {
         let path = format!("{name}.zip");
         if !is_replaced(path.as_ref()) {
             return Err(format!(
-                "{path} has other files than exercises; move it, or submit by another name"
+                "{path} is a broken link, or has other files than exercises; move it, or submit by another name"
             ));
         }
         let bytes = pack(&begun)?;
@@ -54,7 +54,7 @@ impl Submit {
 /// Whether a file may be written anew: it is missing, or has nothing but exercises, as an earlier one has.
 fn is_replaced(path: &Path) -> bool {
     let Ok(bytes) = fs::read(path) else {
-        return !path.exists();
+        return !path.exists() && !path.is_symlink();
     };
     let is_exercise = |name: &[u8]| String::from_utf8_lossy(name).contains("/exercises/");
     ZipArchive::from_slice(&bytes).is_ok_and(|zip| {

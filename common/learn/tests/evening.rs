@@ -212,6 +212,25 @@ fn watch_the_evening(file: &dyn Fn(&str) -> String) {
     assert!(learn.wait().unwrap().success(), "the end of the input");
 }
 
+/// A file that is a link to a missing one, outside of the workbook.
+#[cfg(unix)]
+fn nothing_is_written_through_a_broken_link(file: &str) {
+    let outside = Path::new("../outside.rs");
+    fs::remove_file(file).unwrap();
+    std::os::unix::fs::symlink("../../../outside.rs", file).unwrap();
+    let words = learn(&["check", "own"]).output().unwrap().stderr;
+    let words = String::from_utf8(words).unwrap();
+    assert!(
+        words.contains("own.rs is a link to a file that is missing"),
+        "{words}"
+    );
+    assert!(!outside.exists());
+    fs::write(outside, "").unwrap();
+    assert!(Path::new(file).exists(), "the link leads there");
+    fs::remove_file(outside).unwrap();
+    fs::remove_file(file).unwrap();
+}
+
 /// Checks without keys, by what the file is now.
 fn check_once(file: &dyn Fn(&str) -> String) {
     let run = |arguments: &[&str]| {
@@ -260,6 +279,9 @@ fn check_once(file: &dyn Fn(&str) -> String) {
         assert!(Instant::now() < end, "nobody reads on");
         thread::sleep(BETWEEN_STEPS);
     }
+
+    #[cfg(unix)]
+    nothing_is_written_through_a_broken_link(&file("own"));
 
     // What is done cannot be recorded, and what cannot be read is named.
     fs::remove_file(".learn").unwrap();

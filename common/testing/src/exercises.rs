@@ -10,6 +10,8 @@ mod exercise;
 #[cfg(not(target_family = "wasm"))]
 mod findings;
 mod folder;
+#[cfg(not(target_family = "wasm"))]
+mod hang;
 #[cfg(target_family = "wasm")]
 mod in_browser;
 mod missing;

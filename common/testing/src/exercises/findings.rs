@@ -14,6 +14,7 @@ use exercise::{Answer, Painted, Record, Row, StudentAnswer, Verdict, verdict};
 use super::assertion::is_rounding;
 use super::exercise::{AnswerTo, Exercise, Picture, own_settings};
 use super::folder::StageFolder;
+use super::hang::note;
 use super::{Missing, take_missing};
 
 /// What a program finds, beside its answers.
@@ -74,6 +75,7 @@ impl Exercise<()> {
     fn given(&self) -> Vec<StudentAnswer> {
         let mut given = Vec::new();
         for asked in &self.questions {
+            note(&asked.question.text);
             given.push(StudentAnswer {
                 question: asked.question.text.clone(),
                 answer: answer_of(&asked.answer, &asked.question.input),
@@ -91,6 +93,7 @@ impl Exercise<()> {
         reader: Reader,
     ) -> Findings {
         take_missing();
+        note("an example at the end of the file");
         let example = catch_unwind(examples);
         let example_fails = example.is_err_and(|panic| !is_rounding(&message(&*panic)));
         let given = self.given();
@@ -106,6 +109,7 @@ impl Exercise<()> {
         let missing = take_missing();
         let is_right = verdict.wrong.is_empty() && missing.is_empty();
         let mut image = None;
+        note("the picture");
         let paint = || match &self.picture {
             // The author looks at no wrong picture, and unfinished code has none of a scene.
             _ if !is_right && reader == Reader::Author => Ok(None),

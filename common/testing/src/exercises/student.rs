@@ -6,12 +6,13 @@ use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::{BEGUN, MARK, Mode, Record, WORDS_MARK, print_answers};
+use exercise::{BEGUN, MARK, Mode, Record, SECONDS, WORDS_MARK, print_answers};
 
 use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
 use super::findings::Reader;
 use super::folder::StageFolder;
+use super::hang::name_hang;
 use super::{Entry, Missing, take_missing};
 
 /// Judges the student's file of the exercise that the argument names.
@@ -44,6 +45,9 @@ fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
             say(&panic_words(name, panic));
         }
     }));
+    if let Some(seconds) = env::var(SECONDS).ok().and_then(|n| n.parse().ok()) {
+        name_hang(seconds, say);
+    }
     let mode = Mode::of_environment();
     if mode == Mode::Corpus {
         let words = ask_corpus(name, &exercise);
