@@ -157,7 +157,7 @@ fn run_program(
     built: &Ended,
     by: &[&OsStr],
 ) -> Result<Ended, String> {
-    let program = learn::find_program(&built.output, "test")?;
+    let program = learn::find_program(&built.output, learn::Kind::Test)?;
     let words = by
         .iter()
         .copied()

@@ -121,8 +121,9 @@ impl OwnProgram {
         Ok(program)
     }
 
-    /// Builds the program in the grading folder. An error is a problem of its manifest, or of the grader.
-    pub fn build(&self, folder: &GradingFolder) -> Result<Ended, String> {
+    /// Builds the program that `cargo run` runs in the grading folder, and returns its name, too. An error is a problem
+    /// of its manifest, or of the grader.
+    pub fn build(&self, folder: &GradingFolder) -> Result<(Ended, String), String> {
         let manifest = manifest(&self.manifest)?;
         build(folder, &manifest, &self.sources, Limits::Build)
     }
@@ -132,7 +133,7 @@ impl OwnProgram {
 pub fn prepare(folder: &GradingFolder) -> Result<(), String> {
     let _lock = folder.lock()?;
     let sources = BTreeMap::from([("src/main.rs".to_owned(), EMPTY.to_owned())]);
-    let built = build(folder, &manifest("")?, &sources, Limits::All)?;
+    let (built, _) = build(folder, &manifest("")?, &sources, Limits::All)?;
     match built.end {
         End::Success => Ok(()),
         _ => Err(format!("no program builds\n{}", built.output)),
@@ -144,7 +145,7 @@ fn build(
     manifest: &str,
     sources: &BTreeMap<String, String>,
     limits: Limits,
-) -> Result<Ended, String> {
+) -> Result<(Ended, String), String> {
     let root = folder.sandbox.folder.join("program");
     empty(&root)?;
     let write = |path: &str, bytes: &[u8]| {
@@ -163,6 +164,10 @@ fn build(
     let mut cargo = Command::new("cargo");
     cargo.args(["update", "--workspace", "--offline", "--quiet"]);
     output_of(cargo.current_dir(&root))?;
-    let words = "cargo build --release --offline --quiet --message-format json-render-diagnostics";
-    folder.sandbox.run(limits, Place::Program, words.split(' '))
+    let name = learn::program_of(&root)?;
+    let words =
+        "cargo build --release --offline --quiet --message-format json-render-diagnostics --bin";
+    let words = words.split(' ').chain([&*name]);
+    let built = folder.sandbox.run(limits, Place::Program, words)?;
+    Ok((built, name))
 }

@@ -86,7 +86,7 @@ fn judge_program(
 ) -> Result<Outcome, String> {
     let _lock = folder.lock()?;
     let sandbox = &folder.sandbox;
-    let built = program.build(folder)?;
+    let (built, name) = program.build(folder)?;
     let words = sandbox.words(&built, "does not compile");
     match built.end {
         End::Success => {}
@@ -94,7 +94,7 @@ fn judge_program(
         End::Limit(_) => return Err(format!("while it was compiled: {words}")),
         _ => return Ok(Outcome::without_answers(State::Wrong, &words)),
     }
-    let executable = learn::find_program(&built.output, "bin")?;
+    let executable = learn::find_program(&built.output, learn::Kind::Bin(&name))?;
     empty(kept)?;
     // By scene and samples.
     let mut pictures = BTreeMap::new();

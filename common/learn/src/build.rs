@@ -7,6 +7,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io, thread};
 
+use crate::cargo_messages::{Kind, find_program, program_of};
 use crate::exercise::Exercise;
 use crate::files;
 use crate::output::OutputReader;
@@ -38,24 +39,25 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
     }
     cargo.current_dir(files::workspace());
     let lock = files::workspace().join(target()).join("debug/.cargo-lock");
-    compile(cargo, "test", &lock, space, watcher)
+    compile(cargo, Kind::Test, &lock, space, watcher)
 }
 
-/// Builds the student's own program.
+/// Builds the student's own program, the one that `cargo run` runs.
 pub fn build_own(folder: &Path, space: Space, watcher: Watcher) -> Result<Build, String> {
+    let name = program_of(folder)?;
     let mut cargo = Command::new("cargo");
-    cargo.args(["--quiet", "build", "--release"]);
+    cargo.args(["--quiet", "build", "--release", "--bin", &name]);
     cargo.args(["--message-format", "json-render-diagnostics"]);
     cargo.current_dir(folder);
     let lock = folder.join(target()).join("release/.cargo-lock");
-    compile(cargo, "bin", &lock, space, watcher)
+    compile(cargo, Kind::Bin(&name), &lock, space, watcher)
 }
 
 /// Runs cargo, as soon as no other one has locked the folder, and returns the program of this kind that it has
 /// built.
 fn compile(
     mut cargo: Command,
-    kind: &str,
+    kind: Kind,
     lock: &Path,
     space: Space,
     watcher: Watcher,
@@ -118,18 +120,4 @@ pub fn arguments(stage: &str, names: &[&str]) -> Vec<String> {
     let all = words.split(' ').chain(own.split(' '));
     let all = all.chain([&*prefix]).chain(names);
     all.map(str::to_owned).collect()
-}
-
-/// The path of the program, in the messages of the build: of a `test`, or of a student's `bin`.
-pub fn find_program(messages: &str, kind: &str) -> Result<String, String> {
-    let kind = format!("\"kind\":[\"{kind}\"]");
-    for line in messages.lines() {
-        if line.contains(&kind)
-            && let Some((_, rest)) = line.split_once("\"executable\":\"")
-            && let Some((program, _)) = rest.split_once('"')
-        {
-            return Ok(program.replace("\\\\", "\\"));
-        }
-    }
-    Err("cargo has built no program".to_owned())
 }

@@ -7,6 +7,7 @@
 
 mod book;
 mod build;
+mod cargo_messages;
 pub mod exercise;
 pub mod files;
 mod judgement;
@@ -37,7 +38,8 @@ use std::time::Duration;
 use clap::{Args, Parser, Subcommand};
 use common::text;
 
-pub use build::{arguments, find_program};
+pub use build::arguments;
+pub use cargo_messages::{Kind, find_program, program_of};
 use exercise::Exercise;
 pub use judgement::lacks;
 use judgement::{ask_corpus, judge};

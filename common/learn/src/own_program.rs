@@ -2,15 +2,15 @@
 //!
 //! The student has made the program by `cargo new`, and its `main.rs` is theirs: nothing here writes it.
 //! Its file `functions.rs` is written anew each time; a file in `functions` only as long as the student has
-//! not edited it there.
+//! not edited it there. Nothing is written before all is checked.
 
 mod manifest;
 #[cfg(test)]
 mod tests;
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
+use std::{fs, io};
 
 use common::text;
 
@@ -19,8 +19,9 @@ use crate::files::{self, with_path};
 use crate::progress::Progress;
 use crate::public_items::public_items;
 use crate::screen::Screen;
-use crate::{sheet, tokens};
+use crate::{print, sheet, tokens};
 pub use manifest::MANIFEST;
+use manifest::Manifest;
 
 /// Exercises whose functions take types that only their checks have.
 const LEFT_OUT: [&str; 2] = ["chain", "stripe"];
@@ -63,20 +64,19 @@ impl Command {
     /// Brings the functions into the program, and returns which of them are the student's.
     pub fn run(&self, course: &[Exercise]) -> Result<String, String> {
         let folder = &self.folder;
-        let shown = text::path(folder);
-        if !folder.join(MANIFEST).is_file() {
-            return Err(format!(
-                "{shown} has no {MANIFEST}: `cargo new {shown}` begins a program, and this brings your functions into it"
-            ));
-        }
+        check_place(folder)?;
         let progress = Progress::read();
         let mut done = BTreeMap::new();
         for e in course.iter().filter(|e| progress.is_done(e)) {
             done.insert(e.name, files::text_of(&files::yours(e))?);
         }
-        let brought = bring(folder, course, &done)?;
-        let mut lines = vec![format!("{shown}: your {}", brought.yours.join(", "))];
+        let brought = Brought::new(folder, course, &done)?;
+        let screen = Screen::new();
+        print(&screen.wrap(&brought.manifest.words()))?;
+        brought.write()?;
+        let mut lines = Vec::new();
         for (words, names) in [
+            ("your functions", &brought.yours),
             ("open, and so the workbook's", &brought.workbooks),
             ("edited there, and so left as they are", &brought.edited),
         ] {
@@ -91,84 +91,142 @@ impl Command {
                 "{main} calls them after the lines: mod functions; use functions::*;"
             ));
         }
-        if brought.has_new_libraries {
-            let words =
-                "its Cargo.toml has new libraries: the next build takes about half a minute";
-            lines.push(words.to_owned());
-        }
-        Ok(Screen::new().wrap(&lines.join("\n")))
+        Ok(screen.wrap(&lines.join("\n")))
     }
 }
 
-/// What is brought: the names of exercises by what has become of their files.
-#[derive(Default)]
+/// An error if a folder is not that of a program, or lies within the workbook, whose folders stay as they are.
+fn check_place(folder: &Path) -> Result<(), String> {
+    let shown = text::path(folder);
+    let whole = absolute(folder).map_err(with_path(folder))?;
+    // Of a folder that is still to be made, the place is that of the folder around it.
+    let place = whole.ancestors().find_map(|path| path.canonicalize().ok());
+    let workbook = files::workspace();
+    let workbook = workbook.canonicalize().map_err(with_path(&workbook))?;
+    if place.is_some_and(|place| place.starts_with(workbook)) {
+        return Err(format!(
+            "{shown} is within the workbook, and a program of your own is outside of it: `cargo new ../my-tracer` \
+             begins one. If you have begun it within the workbook, move it to ../my-tracer, and take its name out of \
+             `members` in the workbook's {MANIFEST}"
+        ));
+    }
+    if folder.join(MANIFEST).is_file() {
+        return Ok(());
+    }
+    Err(format!(
+        "{shown} has no {MANIFEST}: `cargo new {shown}` begins a program, and this brings your functions into it"
+    ))
+}
+
+/// What is brought: the names of exercises by what becomes of their files, and all that is written.
 struct Brought {
     yours: Vec<&'static str>,
     workbooks: Vec<&'static str>,
     edited: Vec<&'static str>,
-    /// Whether the next build compiles libraries.
-    has_new_libraries: bool,
+    /// The texts of files by their paths.
+    files: BTreeMap<PathBuf, String>,
+    manifest: Manifest,
 }
 
-/// Writes the functions of all stages up to the last one in which an exercise of the core path is
-/// done: the texts that are `done`, by the names of their exercises, and the workbook's. Functions that open
-/// sheets ask for come, too, once they are done.
-fn bring(
-    folder: &Path,
-    course: &[Exercise],
-    done: &BTreeMap<&str, String>,
-) -> Result<Brought, String> {
-    let is_done = |e: &&Exercise| e.is_core && done.contains_key(e.name);
-    let Some(last) = course.iter().rfind(is_done) else {
-        return Err(
-            "no exercise of the core path is done; `cargo learn` shows the next".to_owned(),
-        );
-    };
-    let mut stages: Vec<_> = course.iter().map(|e| e.stage).collect();
-    stages.dedup();
-    stages.retain(|stage| *stage <= last.stage);
-    let mut functions = BEGINNING.to_owned();
-    // Pixels need nothing but `common`.
-    let libraries = &stages[1..];
-    for stage in libraries {
-        let library = stage.replace('-', "_");
-        functions.extend(["pub use ", &library, "::*;\n"]);
-    }
-    let steps = sheet::steps()?;
-    let mut brought = Brought::default();
-    for e in course {
-        let is_step = steps.iter().any(|step| step == e.name) && done.contains_key(e.name);
-        let is_wanted = e.is_core || is_step;
-        if !is_wanted || !stages.contains(&e.stage) || LEFT_OUT.contains(&e.name) {
-            continue;
-        }
-        let workbooks = in_program(&files::read(&e.solution_file())?)?;
-        let yours = done.get(e.name).map(|text| in_program(text)).transpose()?;
-        let text = yours.as_ref().unwrap_or(&workbooks);
-        functions += &module(e.name, text)?;
-        let names = if !write_unless_edited(folder, e.name, text, &workbooks)? {
-            &mut brought.edited
-        } else if yours.is_some() {
-            &mut brought.yours
-        } else {
-            &mut brought.workbooks
+impl Brought {
+    /// The functions of all stages up to the last one in which an exercise of the core path is
+    /// done: the texts that are `done`, by the names of their exercises, and the workbook's. Functions that open
+    /// sheets ask for come, too, once they are done.
+    fn new(
+        folder: &Path,
+        course: &[Exercise],
+        done: &BTreeMap<&str, String>,
+    ) -> Result<Self, String> {
+        let is_done = |e: &&Exercise| e.is_core && done.contains_key(e.name);
+        let Some(last) = course.iter().rfind(is_done) else {
+            return Err(
+                "no exercise of the core path is done; `cargo learn` shows the next".to_owned(),
+            );
         };
-        names.push(e.name);
+        let mut stages: Vec<_> = course.iter().map(|e| e.stage).collect();
+        stages.dedup();
+        stages.retain(|stage| *stage <= last.stage);
+        let mut functions = BEGINNING.to_owned();
+        // Pixels need nothing but `common`.
+        let libraries = &stages[1..];
+        for stage in libraries {
+            let library = stage.replace('-', "_");
+            functions.extend(["pub use ", &library, "::*;\n"]);
+        }
+        let steps = sheet::steps()?;
+        let mut brought = Self {
+            yours: Vec::new(),
+            workbooks: Vec::new(),
+            edited: Vec::new(),
+            files: BTreeMap::new(),
+            manifest: Manifest::new(folder, libraries)?,
+        };
+        for e in course {
+            let is_step = steps.iter().any(|step| step == e.name) && done.contains_key(e.name);
+            let is_wanted = e.is_core || is_step;
+            if !is_wanted || !stages.contains(&e.stage) || LEFT_OUT.contains(&e.name) {
+                continue;
+            }
+            let workbooks = in_program(&files::read(&e.solution_file())?)?;
+            let yours = done.get(e.name).map(|text| in_program(text)).transpose()?;
+            let text = yours.as_ref().unwrap_or(&workbooks);
+            functions += &module(e.name, text)?;
+            let names = if !brought.add_unless_edited(folder, e.name, text, &workbooks)? {
+                &mut brought.edited
+            } else if yours.is_some() {
+                &mut brought.yours
+            } else {
+                &mut brought.workbooks
+            };
+            names.push(e.name);
+        }
+        if stages.contains(&STAGE_OF_TRACER) {
+            functions += &module("recursive_tracer", TRACER)?;
+            brought.add_unless_edited(folder, "recursive_tracer", TRACER, TRACER)?;
+        }
+        let path = folder.join("src/functions.rs");
+        if existing(&path)?.is_some_and(|now| !now.starts_with(FIRST_LINE.as_bytes())) {
+            let path = text::path(&path);
+            return Err(format!(
+                "{path} is yours, and the functions would be written there; rename it"
+            ));
+        }
+        brought.files.insert(path, functions);
+        Ok(brought)
     }
-    if stages.contains(&STAGE_OF_TRACER) {
-        functions += &module("recursive_tracer", TRACER)?;
-        write_unless_edited(folder, "recursive_tracer", TRACER, TRACER)?;
+
+    /// Adds the file of a function, and returns whether it has: one that is neither this text nor the
+    /// workbook's has been edited there, and is left as it is.
+    fn add_unless_edited(
+        &mut self,
+        folder: &Path,
+        name: &str,
+        text: &str,
+        workbooks: &str,
+    ) -> Result<bool, String> {
+        let path = folder.join(format!("src/functions/{name}.rs"));
+        if existing(&path)?.is_some_and(|now| now != text.as_bytes() && now != workbooks.as_bytes())
+        {
+            return Ok(false);
+        }
+        self.files.insert(path, text.to_owned());
+        Ok(true)
     }
-    let path = folder.join("src/functions.rs");
-    if fs::read_to_string(&path).is_ok_and(|text| !text.starts_with(FIRST_LINE)) {
-        let path = text::path(&path);
-        return Err(format!(
-            "{path} is yours, and the functions would be written there; rename it"
-        ));
+
+    fn write(&self) -> Result<(), String> {
+        for (path, text) in &self.files {
+            write(path, text)?;
+        }
+        self.manifest.write()
     }
-    write(&path, &functions)?;
-    brought.has_new_libraries = manifest::complete(folder, libraries)?;
-    Ok(brought)
+}
+
+/// What a file has now; none if there is no file.
+fn existing(path: &Path) -> Result<Option<Vec<u8>>, String> {
+    match fs::read(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        read => read.map(Some).map_err(with_path(path)),
+    }
 }
 
 /// The text of an exercise's file in the program: without the examples, which need the check.
@@ -189,23 +247,6 @@ fn module(name: &str, text: &str) -> Result<String, String> {
     let names: Vec<_> = items.map(|item| item.name).collect();
     let names = names.join(", ");
     Ok(format!("\nmod {name};\npub use {name}::{{{names}}};\n"))
-}
-
-/// Writes a file of a function, and returns whether it has: one that is neither this text nor the
-/// workbook's has been edited there, and is left as it is.
-fn write_unless_edited(
-    folder: &Path,
-    name: &str,
-    text: &str,
-    workbooks: &str,
-) -> Result<bool, String> {
-    let path = folder.join(format!("src/functions/{name}.rs"));
-    let now = fs::read_to_string(&path);
-    if now.is_ok_and(|now| now != text && now != workbooks) {
-        return Ok(false);
-    }
-    write(&path, text)?;
-    Ok(true)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), String> {

@@ -57,7 +57,7 @@ fn end_group(id: u32) {
 }
 
 /// Runs a program without input until it ends, or until `goes_on` is false: then there is no
-/// status. Its pipes are closed on this side.
+/// status. All that it has started ends with it. Its pipes are closed on this side.
 pub fn run(command: Command, goes_on: &mut dyn FnMut() -> bool) -> io::Result<Option<ExitStatus>> {
     let mut child = begin(command)?;
     loop {
@@ -85,6 +85,8 @@ fn status(child: &mut Child) -> io::Result<Option<ExitStatus>> {
     let mut running = running();
     let status = child.try_wait()?;
     if status.is_some() {
+        #[cfg(unix)]
+        end_group(child.id());
         running.remove(&child.id());
     }
     Ok(status)

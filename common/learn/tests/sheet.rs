@@ -1,8 +1,9 @@
 //! A student's program and `cargo learn sheet`: what is said about pictures that are right, wrong or missing.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::Path;
 use std::process::Command;
+use std::time::{Duration, Instant};
 
 use common::{Color, picture_file};
 
@@ -82,6 +83,18 @@ fn main() -> Result<(), String> {
         "own picture" => file = "picture.png".to_owned(),
         "size" => width = 20,
         "text" => { std::fs::write(file, "red").unwrap(); return Ok(()); }
+        "child" => {
+            let mut child = std::process::Command::new(std::env::current_exe().unwrap());
+            child.args(&words).env("MISTAKE", "hold");
+            child.spawn().unwrap();
+            while !std::path::Path::new("held").exists() {}
+        }
+        "hold" => {
+            let lock = std::fs::File::create("lock").unwrap();
+            lock.lock().unwrap();
+            std::fs::write("held", "").unwrap();
+            std::thread::sleep(std::time::Duration::from_secs(120));
+        }
         "late" => if words[0] == "noise" { panic!("no noise") },
         _ => {}
     }
@@ -204,14 +217,6 @@ fn each_program_gets_a_sentence() {
         };
         assert!(printed.contains(count), "{mistake}: {printed}");
     }
-    if cfg!(target_os = "linux") {
-        let (printed, _) = learn(&["glass", "mine"], "memory");
-        assert!(
-            printed.contains("needs more memory than its limit"),
-            "{printed}"
-        );
-    }
-
     let (printed, _) = learn(&["glass", "mine", "--all"], "another place");
     assert!(printed.contains("ok         noise"), "{printed}");
     let words = "marked    out/sheets/glass/edge-1.marked.png: the line and the edge in";
@@ -223,6 +228,9 @@ fn each_program_gets_a_sentence() {
     assert_eq!(marked.get(22, 10), Some(Color::WHITE));
     assert_ne!(marked.get(12, 7), Some(Color::BLACK));
 
+    programs_end_within_their_limits();
+    one_program_of_two_is_chosen(manifest);
+
     write("mine/src/main.rs", "fn main() { let x: i32 = 1.0; }");
     let (printed, _) = learn(&["glass", "mine"], "");
     assert!(printed.contains("mismatched types"), "{printed}");
@@ -230,4 +238,38 @@ fn each_program_gets_a_sentence() {
         printed.contains("glass: mine does not compile"),
         "{printed}"
     );
+}
+
+/// A program that needs too much memory, and one that leaves a child, which holds a lock.
+fn programs_end_within_their_limits() {
+    if cfg!(target_os = "linux") {
+        let (printed, _) = learn(&["glass", "mine"], "memory");
+        assert!(
+            printed.contains("needs more memory than its limit"),
+            "{printed}"
+        );
+    }
+    if cfg!(unix) {
+        let (printed, is_right) = learn(&["glass", "mine"], "child");
+        assert!(is_right, "{printed}");
+        let lock = File::open(Path::new(FOLDER).join("mine/lock")).unwrap();
+        let end = Instant::now() + Duration::from_secs(10);
+        while lock.try_lock().is_err() {
+            assert!(Instant::now() < end, "a child of the program goes on");
+        }
+    }
+}
+
+/// The one that `cargo run` runs.
+fn one_program_of_two_is_chosen(manifest: &str) {
+    write("mine/src/bin/hello.rs", "fn main() {}");
+    let (printed, _) = learn(&["glass", "mine"], "");
+    assert!(
+        printed.contains("it has 2 programs: hello, mine"),
+        "{printed}"
+    );
+    let run = manifest.replace("edition", "default-run = \"mine\"\nedition");
+    write("mine/Cargo.toml", &run);
+    let (printed, is_right) = learn(&["glass", "mine"], "");
+    assert!(is_right, "{printed}");
 }

@@ -34,9 +34,11 @@ pub fn manifest(students: &str) -> Result<String, String> {
         |key: &str| section("package").and_then(|table| table.get(key)?.get_ref().as_str());
     let name = package("name").unwrap_or("program");
     let edition = package("edition").unwrap_or("2024");
-    let mut manifest = format!(
-        "[package]\nname = {name:?}\nedition = {edition:?}\n\n[workspace]\n\n[dependencies]\n"
-    );
+    let mut manifest = format!("[package]\nname = {name:?}\nedition = {edition:?}\n");
+    if let Some(name) = package("default-run") {
+        let _ = writeln!(manifest, "default-run = {name:?}");
+    }
+    manifest += "\n[workspace]\n\n[dependencies]\n";
     for name in CRATES {
         let features = if name == "common" {
             ""

@@ -5,7 +5,6 @@ use std::process::Command;
 
 use common::{Color, Image, picture_file};
 
-use super::manifest::DEPENDENCIES;
 use super::*;
 use crate::exercise::{find, read_all};
 
@@ -67,20 +66,13 @@ fn shown(page: &str) -> PathBuf {
 /// built once. They are a tenth as wide and high as those of the book.
 #[test]
 fn the_program_of_the_book_draws_a_picture_on_each_page() {
-    let course = read_all().unwrap();
     if find("disc").is_err() {
         eprintln!("skipped: this workbook lacks the stage of the last page");
         return;
     }
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let common = files::workspace().join("common");
-    let common = format!("[dependencies]\ncommon = {{ path = {common:?} }}\n");
-    write(
-        &folder.join(MANIFEST),
-        &QUICK.replace(DEPENDENCIES, &common),
-    )
-    .unwrap();
+    write(&folder.join(MANIFEST), QUICK).unwrap();
 
     let plane = files::starter(find("plane").unwrap()).unwrap();
     let code = "let d = ray.direction().dot(self.n);\n        \
@@ -98,12 +90,15 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
             done.insert(e.name, solution);
         }
     }
-    let mut brought = bring(folder, course, &done).unwrap();
+    let mut brought = bring(folder, &done).unwrap();
     brought.yours.sort_unstable();
     assert!(brought.yours.iter().eq(done.keys()), "{:?}", brought.yours);
     let manifest = fs::read_to_string(folder.join(MANIFEST)).unwrap();
-    let (quick, _) = manifest.split_once("\n[profile.dev.package.a02").unwrap();
-    write(&folder.join(MANIFEST), quick).unwrap();
+    let of_stage = "[profile.dev.package.a02";
+    let (before, optimised) = manifest.split_once(of_stage).unwrap();
+    let (_, after) = optimised.split_once("[profile.release").unwrap();
+    let quick = format!("{before}[profile.release{after}");
+    write(&folder.join(MANIFEST), &quick).unwrap();
 
     let updates = env::var_os("INSTA_UPDATE").is_some();
     let mut program = BTreeMap::new();
@@ -169,8 +164,14 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
     // A function that is edited in the program stays as it is.
     let sphere = folder.join("src/functions/sphere.rs");
     write(&sphere, "pub struct Sphere;\n").unwrap();
-    assert_eq!(bring(folder, course, &done).unwrap().edited, ["sphere"]);
+    assert_eq!(bring(folder, &done).unwrap().edited, ["sphere"]);
     assert_eq!(fs::read_to_string(&sphere).unwrap(), "pub struct Sphere;\n");
+}
+
+fn bring(folder: &Path, done: &BTreeMap<&str, String>) -> Result<Brought, String> {
+    let brought = Brought::new(folder, read_all()?, done)?;
+    brought.write()?;
+    Ok(brought)
 }
 
 /// The mean difference of a picture's channels from the pixel of a larger one at the same place.
@@ -189,18 +190,86 @@ fn difference(small: &Image, large: &Image) -> f64 {
     sum / (3 * small.size().pixels()) as f64
 }
 
-#[test]
-fn pictures_take_seconds_from_the_first_stage_on() {
+/// The manifest of a program that has this one, with the functions of stage 1, and its lock file.
+fn completed(before: &str, lock: Option<&str>) -> (String, String) {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join(MANIFEST);
-    write(&path, DEPENDENCIES).unwrap();
+    let folder = folder.path();
+    write(&folder.join(MANIFEST), before).unwrap();
+    write(&folder.join("src/main.rs"), "fn main() {}").unwrap();
+    if let Some(lock) = lock {
+        write(&folder.join("Cargo.lock"), lock).unwrap();
+    }
     let solution = files::read("a01-image-display/exercises/solutions/diagonal.rs").unwrap();
     let done = BTreeMap::from([("diagonal", solution)]);
-    bring(folder.path(), read_all().unwrap(), &done).unwrap();
-    let manifest = fs::read_to_string(&path).unwrap();
-    assert!(manifest.contains("[profile.dev.package.common]\nopt-level = 3\n"));
+    bring(folder, &done).unwrap();
+    let read = |name| fs::read_to_string(folder.join(name)).unwrap();
+    let (manifest, lock) = (read(MANIFEST), read("Cargo.lock"));
     assert!(!manifest.contains("a02-math"), "{manifest}");
-    assert!(folder.path().join("Cargo.lock").is_file());
+    // A second time, nothing is missing.
+    let brought = bring(folder, &done).unwrap();
+    assert_eq!(brought.manifest.words(), "");
+    assert_eq!(read(MANIFEST), manifest);
+    (manifest, lock)
+}
+
+const PACKAGE: &str = "[package]\nname = \"my-tracer\"\nedition = \"2024\"\n";
+
+#[test]
+fn a_manifest_keeps_its_lines_and_gets_what_it_lacks() {
+    let path = files::workspace().join("common");
+    let libraries = format!(
+        "\n[dependencies.libm]\nversion = \"0.2\"\n\n[dependencies.common]\npath = {path:?}\n"
+    );
+    let mut lacking = libraries + "\n[profile.dev]\nopt-level = 3\n";
+    for (name, level) in [
+        ("dev.package.\"*\"", "0"),
+        ("dev.package.common", "3"),
+        ("dev.package.libm", "3"),
+        ("release.package.image", "0"),
+        ("release.package.moxcms", "0"),
+        ("release.package.pxfm", "0"),
+    ] {
+        lacking.extend(["\n[profile.", name, "]\nopt-level = ", level, "\n"]);
+    }
+    for own in [
+        "\n[dependencies]\n",
+        "\n[dependencies] # mine\n# Numbers.\n",
+        "",
+    ] {
+        let before = format!("{PACKAGE}{own}");
+        let (manifest, lock) = completed(&before, None);
+        assert_eq!(manifest, format!("{before}{lacking}"));
+        assert_eq!(lock, files::read("Cargo.lock").unwrap());
+    }
+    let before = format!("{PACKAGE}\n[dependencies]");
+    assert_eq!(completed(&before, None).0, format!("{before}\n{lacking}"));
+    let before = format!("{PACKAGE}\n[dependencies]\n");
+    let windows = |text: &str| text.replace('\n', "\r\n");
+    assert_eq!(
+        completed(&windows(&before), None).0,
+        windows(&(before + &lacking))
+    );
+
+    // What the student has said of a library or a profile stays; an older program lacks the profile of releases.
+    let before = format!(
+        "{PACKAGE}\n[dependencies]\nlibm = {{ version = \"0.2.1\" }} # new\ncommon = {{ path = {path:?} }}\n\n\
+         [profile.dev]\nopt-level = 1\n\n[profile.release.package]\nimage.opt-level = 2\n"
+    );
+    let (_, spared) = lacking
+        .split_once("[profile.release.package.image]\nopt-level = 0\n")
+        .unwrap();
+    assert_eq!(completed(&before, None).0, format!("{before}{spared}"));
+}
+
+/// Of a library that the program has locked at an older version than that of the workbook, and no other uses.
+#[test]
+fn the_versions_of_a_program_stay() {
+    let lock = files::read("Cargo.lock").unwrap();
+    let own = "[[package]]\nname = \"my-tracer\"\nversion = \"0.0.0\"\n";
+    let own = format!("version = 4\n\n{own}");
+    let (_, kept) = completed(PACKAGE, Some(&own));
+    assert_ne!(kept, lock);
+    assert!(kept.contains("my-tracer"), "{kept}");
 }
 
 #[test]
