@@ -2,18 +2,21 @@
 
 use std::path::PathBuf;
 
+use ::sheet::Sheet;
 use learn::exercise::{self, Exercise};
+use learn::files;
 
 use crate::collected::Collected;
+use crate::copies::{self, Structure, WorkbooksCode, with_code};
 use crate::exercises;
 use crate::grading_folder::GradingFolder;
 use crate::handed_file::HandedFile;
-use crate::judge::{StudentFile, judge};
+use crate::judge::judge;
 use crate::outcome::{Graded, Judged, Outcome, State};
 use crate::own_program;
 use crate::results;
-use crate::sheet;
-use crate::submission::{Found, Submission, names};
+use crate::sheet::{self, SheetGrading};
+use crate::submission::{Found, StudentFile, Submission, names};
 use crate::unnamed::Unnamed;
 
 /// Judges what students hand in, with limits
@@ -32,6 +35,9 @@ pub struct Grade {
     /// The open sheets that count; exercises then only if they are named, too
     #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
     sheets: Vec<String>,
+    /// Also runs programs that start by a command of their own, the line `program: …` of their sheet.txt
+    #[arg(long, requires = "sheets")]
+    allow_commands: bool,
     /// Also writes a table, results.xlsx and results.csv, a text for each student, and a page of all pictures into this
     /// folder
     #[arg(long, short, value_name = "FOLDER")]
@@ -71,15 +77,18 @@ impl Grade {
             let names = names(collected.of_nobody.into_iter());
             println!("of no student: {names}");
         }
+        let sheet_grading = SheetGrading {
+            sheets: &sheets,
+            folder: &folder,
+            output: self.output.as_deref(),
+            allows_commands: self.allow_commands,
+        };
         let (mut graded, mut unnamed) = (Vec::new(), Unnamed::default());
         for student in &collected.students {
             let files = student.files();
             let mut results =
                 self.judge_exercises(&student.name, &files, course, &folder, &mut unnamed)?;
-            if !sheets.is_empty() {
-                let output = self.output.as_deref();
-                results.extend(sheet::judge_all(student, &files, &sheets, &folder, output)?);
-            }
+            results.extend(sheet_grading.judge(student, &files)?);
             let student = Graded {
                 name: student.name.clone(),
                 file_name: student.file_name.clone(),
@@ -89,6 +98,10 @@ impl Grade {
             graded.push(student);
         }
         print!("{}", unnamed.list()?);
+        let copies = copies::mark(&mut graded, &self.workbooks_code(&sheets)?);
+        if !copies.is_empty() {
+            println!("the same code but for names:\n{}", copies.join("\n"));
+        }
         let needs_a_look = |judged: &Judged| judged.outcome.state == State::NeedsALook;
         let unclear = graded
             .iter()
@@ -104,6 +117,21 @@ impl Grade {
             });
         }
         Err(format!("these need a look: {}", unclear.join(", ")))
+    }
+
+    /// The workbook's own code of what counts, by the names of exercises and sheets.
+    fn workbooks_code(&self, sheets: &[Sheet]) -> Result<WorkbooksCode, String> {
+        let mut code = WorkbooksCode::default();
+        for e in &self.exercises {
+            let solution = files::read(&e.solution_file())?;
+            code.add(e.name, &with_code(&solution)?);
+        }
+        for sheet in sheets {
+            for answer in sheet::answers(sheet)? {
+                code.add(&sheet.name, &files::read(&answer)?);
+            }
+        }
+        Ok(code)
     }
 
     /// Judges the files of a student, those of a stage together.
@@ -128,10 +156,11 @@ impl Grade {
             }
             let mut judged = judge(folder, &files);
             for (e, found) in found {
-                let mut file = String::new();
+                let (mut file, mut structures) = (String::new(), Vec::new());
                 let outcome = match (found, judged.remove(e.name)) {
                     (Found::File { path, text }, Some(outcome)) => {
                         file = path;
+                        structures.extend(Structure::read(text));
                         unnamed.add(e, student, text, &outcome.unnamed)?;
                         outcome
                     }
@@ -142,6 +171,8 @@ impl Grade {
                     stage: e.stage,
                     name: e.name.to_owned(),
                     file,
+                    structures,
+                    same_code_as: String::new(),
                     outcome,
                 });
             }

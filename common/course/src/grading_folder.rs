@@ -13,12 +13,11 @@ use std::process::Command;
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
-use crate::handout::Handout;
-use crate::judge::{StudentFile, record, record_file};
+use crate::exercise_record::{record, record_file};
+use crate::handout::{Handout, Workbook};
+use crate::program_output::output_of;
 use crate::sandbox::{End, Ended, Limits, Place, Sandbox};
-
-/// The files of a workbook by their paths.
-pub type Workbook = BTreeMap<String, Vec<u8>>;
+use crate::submission::StudentFile;
 
 /// The folder of all gradings.
 pub struct GradingFolder {
@@ -186,15 +185,4 @@ fn paths_in(root: &Path, folder: &Path) -> io::Result<Vec<String>> {
         }
     }
     Ok(paths)
-}
-
-/// The output of a program that must succeed.
-pub fn output_of(program: &mut Command) -> Result<Vec<u8>, String> {
-    let name = program.get_program().to_owned();
-    let output = program.output().map_err(with_path(name.as_ref()))?;
-    if output.status.success() {
-        return Ok(output.stdout);
-    }
-    let problem = [output.stdout, output.stderr].concat();
-    Err(String::from_utf8_lossy(&problem).into_owned())
 }

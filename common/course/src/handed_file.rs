@@ -4,7 +4,11 @@ use std::path::Path;
 
 use common::text;
 
-use crate::own_program::{MANIFEST, SHEETS};
+/// The manifest of a program.
+pub const MANIFEST: &str = "Cargo.toml";
+
+/// The file that names the open sheets of a program.
+pub const SHEETS: &str = "sheet.txt";
 
 /// Extensions of archives, of which only zip files are opened.
 const ARCHIVES: [&str; 9] = ["7z", "bz2", "gz", "rar", "tar", "tgz", "xz", "zip", "zst"];
@@ -49,18 +53,27 @@ impl HandedFile {
     }
 }
 
-/// The text of a file, if it is wanted and can be read.
+/// What is known of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Content {
-    NotWanted,
+    /// Rust, or one of the two other files that the grader itself reads.
     Text(String),
-    /// Why it cannot be read.
+    /// Any other file, which a program may need, such as a picture.
+    Bytes(Vec<u8>),
+    /// Why such a file is left out.
+    LeftOut(String),
+    /// Why a text cannot be read.
     Problem(String),
 }
 
-/// Whether files of this name are read: Rust, and the two files of a program.
-pub fn is_wanted(name: &str) -> bool {
-    name.to_lowercase().ends_with(".rs") || [MANIFEST, SHEETS].contains(&name)
+/// Whether the grader itself reads files of this name: Rust, and the two files of a program.
+pub fn is_text(name: &str) -> bool {
+    is_rust(name) || [MANIFEST, SHEETS].contains(&name)
+}
+
+/// Whether this is the name of a Rust file.
+pub fn is_rust(name: &str) -> bool {
+    name.to_lowercase().ends_with(".rs")
 }
 
 /// Whether a file may have the code of an exercise, perhaps under a name that a system has changed, such as

@@ -2,7 +2,7 @@
 //! tests and benchmarks, and the pages of its stages. On request without solutions: checks need no more than the
 //! recorded answers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
@@ -11,8 +11,11 @@ use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
 use crate::exercises;
-use crate::grading_folder::{Workbook, output_of};
 use crate::packages::{Package, Packages};
+use crate::program_output::output_of;
+
+/// The files of a workbook by their paths.
+pub type Workbook = BTreeMap<String, Vec<u8>>;
 
 /// The page for students, with `{stage}` instead of the last stage.
 const README: &str = include_str!("../handout/README.md");

@@ -6,20 +6,15 @@
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 
-use exercise::{Record, StudentAnswer, Verdict, read_answers, verdict};
+use exercise::{StudentAnswer, Verdict, read_answers, verdict};
 use learn::exercise::Exercise;
-use learn::{files, refusal};
+use learn::refusal;
 
+use crate::exercise_record::record;
 use crate::grading_folder::GradingFolder;
 use crate::outcome::{Outcome, State};
 use crate::sandbox::{End, Ended, Limits, Place};
-
-/// A student's file of an exercise.
-#[derive(Clone, Copy)]
-pub struct StudentFile<'a> {
-    pub exercise: &'static Exercise,
-    pub text: &'a str,
-}
+use crate::submission::StudentFile;
 
 /// Judges files of one student for exercises of one stage, by their names. Faults of the grader end no grading: the file needs a look.
 pub fn judge(folder: &GradingFolder, files: &[StudentFile]) -> BTreeMap<&'static str, Outcome> {
@@ -94,17 +89,6 @@ fn judge_answers(
     let words = [&[message][..], &found.wrong, found.known.as_slice()].concat();
     let message = folder.sandbox.without_place(&words.join("\n"));
     Ok(wrong_answers(message, found, answers))
-}
-
-/// The recorded answers of an exercise in the lecturer's workbook.
-pub fn record(e: &Exercise) -> Result<Record, String> {
-    let file = record_file(e);
-    Record::read(&files::read(&file)?).map_err(|error| format!("{file}: {error}"))
-}
-
-/// The file with the recorded answers, from the workbook.
-pub fn record_file(e: &Exercise) -> String {
-    format!("{}/exercises/answers/{}.txt", e.stage, e.name)
 }
 
 /// Compiles a student's file, and runs its program by the words of another one, if there are any; or the outcome

@@ -2,6 +2,8 @@
 //! it.
 
 mod collected;
+mod copies;
+mod exercise_record;
 mod grade;
 mod grading_folder;
 mod hand_in;
@@ -13,6 +15,7 @@ mod outcome;
 mod own_program;
 mod packages;
 mod picture_page;
+mod program_output;
 mod results;
 mod sandbox;
 mod sheet;

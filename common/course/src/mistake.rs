@@ -9,9 +9,11 @@ use exercise::{MODE, Mode, Record, StudentAnswer, read_answers, read_rows, verdi
 use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
 
+use crate::exercise_record::{record, record_file};
 use crate::grading_folder::GradingFolder;
-use crate::judge::{StudentFile, record, record_file, run};
+use crate::judge::run;
 use crate::sandbox::End;
+use crate::submission::StudentFile;
 
 /// Gives the mistake of a student's file a sentence, which everybody reads who makes it
 #[derive(clap::Args)]

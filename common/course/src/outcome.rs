@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use exercise::StudentAnswer;
 
+use crate::copies::Structure;
+
 /// What is known about an exercise of a submission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
@@ -78,6 +80,10 @@ pub struct Judged {
     pub name: String,
     /// The student's file, or the folder of the program; empty if there is none.
     pub file: String,
+    /// The code of its files, by which copies are found.
+    pub structures: Vec<Structure>,
+    /// Whose code is the same but for names; empty if nobody's is.
+    pub same_code_as: String,
     pub outcome: Outcome,
 }
 

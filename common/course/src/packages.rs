@@ -1,11 +1,7 @@
 //! `Packages`: which packages of the workbook others are built of, as Cargo knows it.
 
-use std::process::Command;
-
 use learn::files;
 use serde_json::Value;
-
-use crate::grading_folder::output_of;
 
 /// The packages of the workbook.
 pub struct Packages {
@@ -24,16 +20,7 @@ pub struct Package {
 impl Packages {
     /// Asks Cargo which packages these are built of, and their tests.
     pub fn read(built: &[&str]) -> Result<Self, String> {
-        let mut cargo = Command::new("cargo");
-        cargo.args([
-            "metadata",
-            "--no-deps",
-            "--offline",
-            "--format-version",
-            "1",
-        ]);
-        let output = output_of(cargo.current_dir(files::workspace()))?;
-        let metadata: Value = serde_json::from_slice(&output).map_err(|error| error.to_string())?;
+        let metadata = learn::metadata(&files::workspace())?;
         let root = metadata["workspace_root"].as_str().unwrap_or_default();
         let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
         let mut others = Vec::new();

@@ -15,13 +15,14 @@ use crate::spreadsheet::spreadsheet;
 const MESSAGE: usize = 2000;
 
 /// The columns of the table.
-const COLUMNS: [&str; 8] = [
+const COLUMNS: [&str; 9] = [
     "student",
     "stage",
     "exercise",
     "state",
     "right_answers",
     "mistake",
+    "same_code_as",
     "file",
     "message",
 ];
@@ -79,7 +80,7 @@ pub fn text(student: &Graded) -> String {
 }
 
 /// A row for each exercise of each student, below the names of the columns.
-fn table(graded: &[Graded]) -> Vec<[String; 8]> {
+fn table(graded: &[Graded]) -> Vec<[String; 9]> {
     let mut table = vec![COLUMNS.map(str::to_owned)];
     for student in graded {
         for judged in &student.results {
@@ -96,6 +97,7 @@ fn table(graded: &[Graded]) -> Vec<[String; 8]> {
                 outcome.state.words(),
                 &fraction,
                 &outcome.mistake,
+                &judged.same_code_as,
                 &judged.file,
                 &outcome.message,
             ];
@@ -105,9 +107,9 @@ fn table(graded: &[Graded]) -> Vec<[String; 8]> {
     table
 }
 
-/// A table in the form of RFC 4180.
-fn csv(table: &[[String; 8]]) -> String {
-    let mut csv = String::new();
+/// A table in the form of RFC 4180, behind the mark by which Excel knows UTF-8.
+fn csv(table: &[[String; 9]]) -> String {
+    let mut csv = "\u{feff}".to_owned();
     for row in table {
         let cells = row.each_ref().map(|cell| {
             // A spreadsheet computes no cell that begins with a quote.
@@ -142,6 +144,8 @@ mod tests {
             stage: "a04-intersections",
             name: name.to_owned(),
             file: file.to_owned(),
+            structures: Vec::new(),
+            same_code_as: String::new(),
             outcome,
         };
         let absent = Outcome::without_answers(State::NotHandedIn, "");
@@ -155,10 +159,11 @@ mod tests {
             ],
         }];
         let row = "\"Ada B.\",\"a04-intersections\",\"sphere\",\"wrong\",\"0.99\",\"'=1+1\",\
-                   \"sphere.rs\",\"a \"\"b\"\"\nc\\u{1b}\"\r\n";
+                   \"\",\"sphere.rs\",\"a \"\"b\"\"\nc\\u{1b}\"\r\n";
         let folder = tempfile::tempdir().unwrap();
         write(folder.path(), &graded).unwrap();
         let csv = fs::read_to_string(folder.path().join("results.csv")).unwrap();
+        assert!(csv.starts_with("\u{feff}\"student\""), "{csv}");
         assert!(csv.ends_with(row), "{csv}");
         let text = "Ada B.: 1 wrong, 2 not handed in\n  plane, torus: not handed in\n  \
                     sphere: wrong, sphere.rs\n      a \"b\"\n      c\\u{1b}\n";
@@ -166,6 +171,5 @@ mod tests {
             fs::read_to_string(folder.path().join("ada.txt")).unwrap(),
             text
         );
-        assert!(folder.path().join("results.xlsx").exists());
     }
 }

@@ -3,7 +3,7 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
 
 use exercise::BEGUN;
@@ -40,8 +40,30 @@ pub enum End {
     /// By the exit code of a program whose code is incomplete.
     Begun,
     Failure,
-    /// By the limit of these.
-    Limit(&'static str),
+    Limit(Limit),
+}
+
+/// A limit by which a program ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    Time,
+    ProcessorTime,
+    FileSize,
+    MemoryOrDepth,
+    /// The exit code does not tell which.
+    Unknown,
+}
+
+impl Limit {
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Time => "time",
+            Self::ProcessorTime => "processor time",
+            Self::FileSize => "the size of a file",
+            Self::MemoryOrDepth => "memory, or of the depth of calls",
+            Self::Unknown => "time, memory, processes or the size of a file",
+        }
+    }
 }
 
 /// A program that has ended, and its output.
@@ -105,7 +127,7 @@ impl Sandbox {
             }
             End::Success | End::Failure => fails.to_owned(),
             End::Begun => "begun".to_owned(),
-            End::Limit(of) => format!("stopped by the limit of {of}"),
+            End::Limit(limit) => format!("stopped by the limit of {}", limit.words()),
         };
         let (said, _) = ended
             .output
@@ -134,6 +156,14 @@ impl Sandbox {
     }
 }
 
+/// An empty folder, in which nothing of an earlier program is.
+pub fn empty(folder: &Path) -> Result<(), String> {
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(with_path(folder))?;
+    }
+    fs::create_dir_all(folder).map_err(with_path(folder))
+}
+
 /// The exit code as a shell gives it: of a signal, 128 more than its number.
 #[cfg(unix)]
 fn exit_code(status: ExitStatus) -> Option<i32> {
@@ -154,13 +184,13 @@ fn end(code: Option<i32>) -> End {
         Some(0) => End::Success,
         Some(code) if code == i32::from(BEGUN) => End::Begun,
         // `timeout` kills, and so does the system, a process that has used its processor time.
-        Some(124 | 137) => End::Limit("time"),
-        Some(152) => End::Limit("processor time"),
-        Some(153) => End::Limit("the size of a file"),
+        Some(124 | 137) => End::Limit(Limit::Time),
+        Some(152) => End::Limit(Limit::ProcessorTime),
+        Some(153) => End::Limit(Limit::FileSize),
         // Rust aborts without memory, and where the stack overflows.
-        Some(134) => End::Limit("memory, or of the depth of calls"),
+        Some(134) => End::Limit(Limit::MemoryOrDepth),
         Some(code) if code < 124 => End::Failure,
-        _ => End::Limit("time, memory, processes or the size of a file"),
+        _ => End::Limit(Limit::Unknown),
     }
 }
 

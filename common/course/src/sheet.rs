@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use ::sheet::{Drawn, Facts, MARKED, Picture, Run, Sheet, last_words, no_picture};
-use learn::files::with_path;
+use learn::files::{self, with_path};
 use learn::sheet::{find, read_all};
 
 use crate::collected::Student;
@@ -14,7 +14,10 @@ use crate::grading_folder::GradingFolder;
 use crate::handed_file::HandedFile;
 use crate::outcome::{Judged, Outcome, State};
 use crate::own_program::{self, OwnProgram};
-use crate::sandbox::{End, Limits, Place, Sandbox};
+use crate::sandbox::{End, Limit, Limits, Place, Sandbox, empty};
+
+/// The folder of the workbook's own answers, whose names begin with that of the sheet.
+const ANSWERS: &str = "a07-transforms/lab/sheets/src/bin";
 
 /// The sheets of these names.
 pub fn chosen(names: &[String]) -> Result<Vec<Sheet>, String> {
@@ -28,48 +31,90 @@ pub fn chosen(names: &[String]) -> Result<Vec<Sheet>, String> {
         .collect())
 }
 
-/// Judges the programs that a student has handed in for sheets. Their pictures are kept in the folder of the results.
-pub fn judge_all(
-    student: &Student,
-    files: &[HandedFile],
-    sheets: &[Sheet],
-    folder: &GradingFolder,
-    output: Option<&Path>,
-) -> Result<Vec<Judged>, String> {
-    let all = read_all()?;
-    let not_kept = folder.sandbox.folder.join("kept");
-    let mut results = Vec::new();
-    for sheet in sheets {
-        let found = own_program::find(files, sheet, &all);
-        let (file, outcome) = match found {
-            Ok(None) => (
-                String::new(),
-                Outcome::without_answers(State::NotHandedIn, ""),
-            ),
-            Ok(Some(program)) => {
-                let root = output.unwrap_or(&not_kept);
-                let inner = format!("pictures/{}/{}", student.file_name, sheet.name);
-                let judged = judge_program(&program, sheet, folder, &root.join(inner));
-                let mut outcome = judged.unwrap_or_else(|fault| {
-                    eprintln!("{}: {fault}", program.folder);
-                    needs_a_look(&folder.sandbox.without_place(&fault))
-                });
-                if output.is_some() {
-                    let root = format!("{}/", root.display());
-                    outcome.message = outcome.message.replace(&root, "");
-                }
-                (program.folder, outcome)
+/// The files of the workbook's own answers to a sheet.
+pub fn answers(sheet: &Sheet) -> Result<Vec<String>, String> {
+    let folder = files::workspace().join(ANSWERS);
+    let mut answers = Vec::new();
+    // No handout has them.
+    if folder.exists() {
+        for entry in fs::read_dir(&folder).map_err(with_path(&folder))? {
+            let file = entry.map_err(with_path(&folder))?.file_name();
+            let file = file.to_string_lossy();
+            if file.starts_with(&sheet.name) {
+                answers.push(format!("{ANSWERS}/{file}"));
             }
-            Err(why) => (String::new(), needs_a_look(&why)),
-        };
-        results.push(Judged {
-            stage: "sheet",
-            name: sheet.name.clone(),
-            file,
-            outcome,
-        });
+        }
     }
-    Ok(results)
+    Ok(answers)
+}
+
+/// How programs are judged.
+pub struct SheetGrading<'a> {
+    pub sheets: &'a [Sheet],
+    pub folder: &'a GradingFolder,
+    /// The folder of the results, which keeps the pictures.
+    pub output: Option<&'a Path>,
+    /// Whether a program may start by a command of its own.
+    pub allows_commands: bool,
+}
+
+impl SheetGrading<'_> {
+    /// Judges the programs that a student has handed in.
+    pub fn judge(&self, student: &Student, files: &[HandedFile]) -> Result<Vec<Judged>, String> {
+        let all = read_all()?;
+        let mut results = Vec::new();
+        for sheet in self.sheets {
+            let mut judged = Judged {
+                stage: "sheet",
+                name: sheet.name.clone(),
+                file: String::new(),
+                structures: Vec::new(),
+                same_code_as: String::new(),
+                outcome: Outcome::without_answers(State::NotHandedIn, ""),
+            };
+            match own_program::find(files, sheet, &all) {
+                Ok(None) => {}
+                Ok(Some(program)) => {
+                    judged.outcome = self.judge_found(&program, sheet, student);
+                    judged.structures = program.structures();
+                    judged.file = program.folder;
+                }
+                Err(why) => judged.outcome = needs_a_look(&why),
+            }
+            results.push(judged);
+        }
+        Ok(results)
+    }
+
+    fn judge_found(&self, program: &OwnProgram, sheet: &Sheet, student: &Student) -> Outcome {
+        if program.command.is_some() && !self.allows_commands {
+            return needs_a_look(
+                "its sheet.txt has a command that starts it; such programs run with --allow-commands",
+            );
+        }
+        let not_kept = self.folder.sandbox.folder.join("kept");
+        let root = self.output.unwrap_or(&not_kept);
+        let inner = format!("pictures/{}/{}", student.file_name, sheet.name);
+        let judged = judge_program(program, sheet, self.folder, &root.join(inner));
+        let mut outcome = judged.unwrap_or_else(|fault| {
+            eprintln!("{}: {fault}", program.folder);
+            needs_a_look(&self.folder.sandbox.without_place(&fault))
+        });
+        if self.output.is_some() {
+            let root = format!("{}/", root.display());
+            outcome.message = outcome.message.replace(&root, "");
+        }
+        // It may lack what is left out, and run where that is.
+        if outcome.state == State::Wrong && !program.left_out.is_empty() {
+            let left_out = program.left_out.join("\n");
+            let message = format!("left out: {left_out}\n{}", outcome.message);
+            return Outcome {
+                pictures: outcome.pictures,
+                ..needs_a_look(&message)
+            };
+        }
+        outcome
+    }
 }
 
 fn needs_a_look(why: &str) -> Outcome {
@@ -86,23 +131,31 @@ fn judge_program(
 ) -> Result<Outcome, String> {
     let _lock = folder.lock()?;
     let sandbox = &folder.sandbox;
-    let (built, name) = program.build(folder)?;
-    let words = sandbox.words(&built, "does not compile");
-    match built.end {
-        End::Success => {}
-        // It says nothing about the program: the computer may have been busy.
-        End::Limit(_) => return Err(format!("while it was compiled: {words}")),
-        _ => return Ok(Outcome::without_answers(State::Wrong, &words)),
-    }
-    let executable = learn::find_program(&built.output, learn::Kind::Bin(&name))?;
+    let command = match (program.build(folder)?, &program.command) {
+        (Some((built, name)), _) => {
+            let words = sandbox.words(&built, "does not compile");
+            match built.end {
+                End::Success => {}
+                // It says nothing about the program: the computer may have been busy.
+                End::Limit(_) => return Err(format!("while it was compiled: {words}")),
+                _ => return Ok(Outcome::without_answers(State::Wrong, &words)),
+            }
+            vec![learn::find_program(&built.output, learn::Kind::Bin(&name))?]
+        }
+        (None, command) => command.clone().unwrap_or_default(),
+    };
     empty(kept)?;
     // By scene and samples.
     let mut pictures = BTreeMap::new();
     let mut fault = None;
     let judgement = ::sheet::judge(sheet, Facts::All, &mut |picture, run| {
-        let drawn = draw(sandbox, &executable, picture, run, kept).unwrap_or_else(|error| {
-            fault = Some(error.clone());
-            Err(error)
+        let drawn = draw(sandbox, &command, picture, run, kept).map_err(|problem| {
+            let (Problem::OfProgram(words) | Problem::OfGrader(words)) = &problem;
+            let words = words.clone();
+            if matches!(problem, Problem::OfGrader(_)) {
+                fault = Some(words.clone());
+            }
+            words
         })?;
         pictures.insert(run.clone(), drawn.file.clone());
         Ok(drawn)
@@ -136,44 +189,52 @@ fn judge_program(
     })
 }
 
-/// An empty folder, in which nothing of an earlier program is.
-pub fn empty(folder: &Path) -> Result<(), String> {
-    if folder.exists() {
-        fs::remove_dir_all(folder).map_err(with_path(folder))?;
-    }
-    fs::create_dir_all(folder).map_err(with_path(folder))
+/// Why there is no picture.
+#[derive(Debug)]
+enum Problem {
+    /// A sentence for the student.
+    OfProgram(String),
+    OfGrader(String),
 }
 
-/// Draws a picture. The outer error is a fault of the grader, the inner one a sentence about the program.
+/// Draws a picture by the words that start the program.
 fn draw(
     sandbox: &Sandbox,
-    executable: &str,
+    command: &[String],
     picture: &Picture,
     run: &Run,
     kept: &Path,
-) -> Result<Result<Drawn, String>, String> {
+) -> Result<Drawn, Problem> {
     let (samples, file) = (run.samples.to_string(), run.file());
     let output = format!("../pictures/{file}");
-    let words = [executable, &run.scene, "--samples", &samples, "-o", &output];
+    let asked = [&*run.scene, "--samples", &samples, "-o", &output];
+    let words = command.iter().map(String::as_str).chain(asked);
     let seconds = picture.seconds;
     let start = Instant::now();
-    let ended = sandbox.run(Limits::Picture { seconds }, Place::Program, words)?;
+    let ended = sandbox.run(Limits::Picture { seconds }, Place::Program, words);
+    let ended = ended.map_err(Problem::OfGrader)?;
     let seconds = start.elapsed().as_secs_f64();
     match ended.end {
         End::Success => {}
-        End::Limit(of) if !of.starts_with("memory") => {
-            return Ok(Err(format!("the program is stopped by the limit of {of}")));
+        // Of memory and depth the program has words of its own.
+        End::Limit(limit) if limit != Limit::MemoryOrDepth => {
+            let words = format!("the program is stopped by the limit of {}", limit.words());
+            return Err(Problem::OfProgram(words));
         }
-        _ => return Ok(Err(last_words(&sandbox.without_place(&ended.output)))),
+        _ => {
+            let words = last_words(&sandbox.without_place(&ended.output));
+            return Err(Problem::OfProgram(words));
+        }
     }
     // The program may write there what it wants: only a plain file of the right name is taken.
     let drawn = sandbox.folder.join("pictures").join(&file);
     if !fs::symlink_metadata(&drawn).is_ok_and(|file| file.is_file()) {
-        return Ok(Err(no_picture(None)));
+        return Err(Problem::OfProgram(no_picture(None)));
     }
     let file = kept.join(&file);
-    fs::copy(&drawn, &file).map_err(with_path(&drawn))?;
-    Ok(Ok(Drawn { file, seconds }))
+    let copied = fs::copy(&drawn, &file).map_err(with_path(&drawn));
+    copied.map_err(Problem::OfGrader)?;
+    Ok(Drawn { file, seconds })
 }
 
 #[cfg(all(test, target_os = "linux"))]
@@ -221,16 +282,17 @@ mod tests {
             let program = folder.join("program/draw.sh");
             fs::write(&program, format!("#!/bin/sh\n{script}\n")).unwrap();
             fs::set_permissions(&program, everybody.clone()).unwrap();
-            let drawn = draw(&sandbox, "./draw.sh", &picture, &run, &folder.join("kept"));
-            match drawn.unwrap() {
+            let command = ["./draw.sh".to_owned()];
+            match draw(&sandbox, &command, &picture, &run, &folder.join("kept")) {
                 Ok(drawn) => {
                     assert_eq!(words, "", "{script}");
                     assert!(picture_file::open(&drawn.file).is_ok());
                 }
-                Err(problem) => assert!(
+                Err(Problem::OfProgram(problem)) => assert!(
                     !words.is_empty() && problem.contains(words),
                     "{script}: {problem}"
                 ),
+                Err(Problem::OfGrader(fault)) => panic!("{script}: {fault}"),
             }
         }
     }

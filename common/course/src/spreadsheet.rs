@@ -47,6 +47,15 @@ const SHEET: &str = r#"<worksheet xmlns="http://schemas.openxmlformats.org/sprea
 
 const DECLARATION: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>\n";
 
+/// Text for a cell: without the marks of XML, and without `_x0041_`, in which spreadsheets see one letter by its number
+/// (ECMA-376, part 1, `ST_Xstring`).
+fn escaped(cell: &str) -> String {
+    cell.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace("_x", "_x005F_x")
+}
+
 /// The bytes of a spreadsheet. All cells are text, which nothing computes, but for the numbers in one column.
 pub fn spreadsheet<const N: usize>(
     rows: &[[String; N]],
@@ -57,7 +66,7 @@ pub fn spreadsheet<const N: usize>(
         let _ = write!(sheet, "<row r=\"{number}\">");
         for (column, (letter, cell)) in ('A'..='Z').zip(row).enumerate() {
             let is_number = column == of_numbers && cell.parse::<f64>().is_ok();
-            let cell = cell.replace('&', "&amp;").replace('<', "&lt;");
+            let cell = escaped(cell);
             let _ = if is_number {
                 write!(sheet, "<c r=\"{letter}{number}\"><v>{cell}</v></c>")
             } else {
@@ -80,4 +89,16 @@ pub fn spreadsheet<const N: usize>(
         zip.write_all([DECLARATION, text].concat().as_bytes())?;
     }
     Ok(zip.finish()?.into_inner())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_cell_has_marks_of_xml_or_letters_by_number() {
+        let cell = "Vec<&[&[f64]]> size_x1920_";
+        let right = "Vec&lt;&amp;[&amp;[f64]]&gt; size_x005F_x1920_";
+        assert_eq!(escaped(cell), right);
+    }
 }

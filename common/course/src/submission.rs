@@ -25,6 +25,13 @@ const NOT_STUDENTS: [&str; 8] = [
 /// The most names in a message.
 const MAX_NAMES: usize = 10;
 
+/// A student's file of an exercise.
+#[derive(Clone, Copy)]
+pub struct StudentFile<'a> {
+    pub exercise: &'static Exercise,
+    pub text: &'a str,
+}
+
 /// The file of an exercise in a hand-in.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Found<'a> {
@@ -72,7 +79,9 @@ impl<'a> Submission<'a> {
                     text,
                 },
                 Content::Problem(problem) => Found::Unclear(format!("{}: {problem}", file.shown())),
-                Content::NotWanted => Found::Unclear(format!("{}: it is not read", file.shown())),
+                Content::Bytes(_) | Content::LeftOut(_) => {
+                    Found::Unclear(format!("{}: it is no text", file.shown()))
+                }
             },
             [_, _, ..] => {
                 let count = found.len();

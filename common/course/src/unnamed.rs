@@ -9,7 +9,7 @@ use exercise::{Mistake, Record, StudentAnswer, verdict};
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
-use crate::judge::record;
+use crate::exercise_record::record;
 
 /// The folder with a file of each group, in the lecturer's workbook. No student's program sees it.
 const FOLDER: &str = "target/unnamed";

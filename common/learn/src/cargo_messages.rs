@@ -40,22 +40,23 @@ pub fn find_program(messages: &str, kind: Kind) -> Result<String, String> {
 ///
 /// Fails where Cargo would ask which of several programs it is to run.
 pub fn program_of(folder: &Path) -> Result<String, String> {
+    chosen(&metadata(folder)?)
+}
+
+/// What Cargo knows of the packages in a folder.
+///
+/// # Errors
+///
+/// Fails with the words of Cargo.
+pub fn metadata(folder: &Path) -> Result<Value, String> {
+    const WORDS: &str = "metadata --no-deps --offline --format-version 1";
     let mut cargo = Command::new("cargo");
-    cargo.args([
-        "metadata",
-        "--no-deps",
-        "--offline",
-        "--format-version",
-        "1",
-    ]);
-    let output = cargo.current_dir(folder).output();
+    let output = cargo.args(WORDS.split(' ')).current_dir(folder).output();
     let output = output.map_err(with_path("cargo".as_ref()))?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
-    let metadata: Value = serde_json::from_slice(&output.stdout)
-        .map_err(|error| format!("cargo metadata: {error}"))?;
-    chosen(&metadata)
+    serde_json::from_slice(&output.stdout).map_err(|error| format!("cargo metadata: {error}"))
 }
 
 /// The program that Cargo chooses among those of the packages that it builds: the one of `default-run`, or the only one.

@@ -27,7 +27,7 @@ pub mod sheet;
 #[cfg(unix)]
 mod signals;
 mod submit;
-mod tokens;
+pub mod tokens;
 mod watch;
 mod wrap;
 
@@ -39,10 +39,11 @@ use clap::{Args, Parser, Subcommand};
 use common::text;
 
 pub use build::arguments;
-pub use cargo_messages::{Kind, find_program, program_of};
+pub use cargo_messages::{Kind, find_program, metadata, program_of};
 use exercise::Exercise;
 pub use judgement::lacks;
 use judgement::{ask_corpus, judge};
+pub use own_program::complete_manifest;
 use phase::Phase;
 use progress::Progress;
 pub use refusal::refusal;

@@ -17,12 +17,14 @@ pub fn read(text: &str) -> Result<TokenStream, String> {
 }
 
 /// Whether tokens begin with these ones.
+#[must_use]
 pub fn begin(tokens: &[TokenTree], words: &[&str]) -> bool {
     let beginning = tokens.iter().map(ToString::to_string).take(words.len());
     beginning.eq(words.iter().copied())
 }
 
 /// Where tokens stand in their text.
+#[must_use]
 pub fn range(tokens: &[TokenTree]) -> Range<usize> {
     let place = |token: Option<&TokenTree>| token.map_or(0..0, |token| token.span().byte_range());
     place(tokens.first()).start..place(tokens.last()).end

@@ -1,15 +1,15 @@
-//! The manifest with which the grader builds a program.
+//! A program's manifest in the grading folder: the student's, but for the places of the workbook's crates.
 
-use std::collections::BTreeMap;
-use std::fmt::Write;
+use std::cmp::Reverse;
+use std::ops::Range;
+use std::path::{Component, Path};
 
 use common::text;
-use toml::de::{DeTable, DeValue};
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
 
-pub const MANIFEST: &str = "Cargo.toml";
-
-/// The workbook's crates that a program may use. All programs are built with all of them, which are built once.
-const CRATES: [&str; 8] = [
+/// The workbook's crates that a program may use.
+pub const CRATES: [&str; 8] = [
     "common",
     "a01-image-display",
     "a02-math",
@@ -20,71 +20,91 @@ const CRATES: [&str; 8] = [
     "a07-transforms",
 ];
 
-/// The manifest with which the grader builds a program: its own paths to the workbook's crates, and the student's
-/// other libraries. Build scripts and profiles stay behind.
-pub fn manifest(students: &str) -> Result<String, String> {
-    let table = DeTable::parse(students).map_err(|error| format!("{MANIFEST}: {error}"))?;
-    let section = |name: &str| {
-        table
-            .get_ref()
-            .get(name)
-            .and_then(|table| table.get_ref().as_table())
-    };
-    let package =
-        |key: &str| section("package").and_then(|table| table.get(key)?.get_ref().as_str());
-    let name = package("name").unwrap_or("program");
-    let edition = package("edition").unwrap_or("2024");
-    let mut manifest = format!("[package]\nname = {name:?}\nedition = {edition:?}\n");
-    if let Some(name) = package("default-run") {
-        let _ = writeln!(manifest, "default-run = {name:?}");
+/// The tables of libraries, also of one system.
+const LIBRARIES: [&str; 3] = ["dependencies", "dev-dependencies", "build-dependencies"];
+
+/// The manifest of a package that lies so many folders below that of the program. An error says what is in the way.
+pub fn in_grading_folder(students: &str, depth: usize) -> Result<String, String> {
+    let manifest = DeTable::parse(students).map_err(|error| error.to_string())?;
+    let manifest = manifest.get_ref();
+    if !manifest.contains_key("package") {
+        return Err("it is a workspace; hand in the folder of the program".to_owned());
     }
-    manifest += "\n[workspace]\n\n[dependencies]\n";
-    for name in CRATES {
-        let features = if name == "common" {
-            ""
-        } else {
-            ", default-features = false"
-        };
-        let _ = writeln!(
-            manifest,
-            "{name} = {{ path = \"../workbook/{name}\"{features} }}"
-        );
+    let mut owners = vec![manifest];
+    for (_, system) in manifest.get("target").into_iter().flat_map(entries) {
+        owners.extend(system.get_ref().as_table());
     }
-    let mut libraries = BTreeMap::from([("libm", "\"0.2\"".to_owned())]);
-    for (name, value) in section("dependencies").into_iter().flatten() {
-        let name = &**name.get_ref();
-        if !CRATES.contains(&name) {
-            libraries.insert(name, library(name, value.get_ref())?);
+    let mut paths = Vec::new();
+    for owner in owners {
+        for table in LIBRARIES {
+            for (name, library) in owner.get(table).into_iter().flat_map(entries) {
+                paths.extend(place(name.get_ref(), library.get_ref(), depth)?);
+            }
         }
     }
-    for (name, value) in libraries {
-        let _ = writeln!(manifest, "{name:?} = {value}");
+    let mut placed = students.to_owned();
+    // The last one first, so that the others do not move.
+    paths.sort_by_key(|(range, _)| Reverse(range.start));
+    for (range, path) in paths {
+        placed.replace_range(range, &path);
     }
-    Ok(manifest)
+    // So Cargo looks for no workspace in the folders around the program.
+    if depth == 0 && !manifest.contains_key("workspace") {
+        placed += "\n[workspace]\n";
+    }
+    Ok(placed)
 }
 
-/// A library from outside, with its version and features.
-fn library(name: &str, value: &DeValue) -> Result<String, String> {
-    let table = value.as_table();
-    let of_table = |key: &str| table.and_then(|table| Some(table.get(key)?.get_ref()));
-    let version = value.as_str().or_else(|| of_table("version")?.as_str());
-    let Some(version) = version else {
-        let problem = "is handed in by its version only, and no path";
-        return Err(format!(
-            "{MANIFEST}: the library {} {problem}",
-            text::name(name)
-        ));
+/// The entries of a table.
+fn entries<'a>(
+    table: &'a Spanned<DeValue<'a>>,
+) -> impl Iterator<Item = (&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
+    table.get_ref().as_table().into_iter().flatten()
+}
+
+/// Where the path of one of the workbook's crates stands in the manifest, and its path in the grading folder.
+fn place(
+    name: &str,
+    library: &DeValue,
+    depth: usize,
+) -> Result<Option<(Range<usize>, String)>, String> {
+    let Some(library) = library.as_table() else {
+        return Ok(None);
     };
-    let mut features = Vec::new();
-    for feature in of_table("features")
-        .and_then(DeValue::as_array)
-        .into_iter()
-        .flatten()
-    {
-        features.extend(feature.get_ref().as_str());
+    let Some(path) = library.get("path") else {
+        return Ok(None);
+    };
+    let package = library
+        .get("package")
+        .and_then(|name| name.get_ref().as_str());
+    let package = package.unwrap_or(name);
+    if CRATES.contains(&package) {
+        let up = "../".repeat(depth + 1);
+        return Ok(Some((path.span(), format!("\"{up}workbook/{package}\""))));
     }
-    let default = of_table("default-features").and_then(DeValue::as_bool) != Some(false);
-    Ok(format!(
-        "{{ version = {version:?}, features = {features:?}, default-features = {default} }}"
+    let is_within = path
+        .get_ref()
+        .as_str()
+        .is_some_and(|path| is_within(path, depth));
+    if is_within {
+        return Ok(None);
+    }
+    let name = text::name(name);
+    Err(format!(
+        "the library {name} lies outside of the folder that is handed in"
     ))
+}
+
+/// Whether a path leads no further up than to the program's folder, so many folders above.
+fn is_within(path: &str, depth: usize) -> bool {
+    let mut depth = depth;
+    for part in Path::new(path).components() {
+        match part {
+            Component::Normal(_) => depth += 1,
+            Component::CurDir => {}
+            Component::ParentDir if depth > 0 => depth -= 1,
+            _ => return false,
+        }
+    }
+    true
 }

@@ -31,35 +31,8 @@ impl Manifest {
     /// The manifest of the program in a folder, with `common`, `libm`, these stages, and the profiles.
     pub fn new(folder: &Path, stages: &[&str]) -> Result<Self, String> {
         let path = folder.join(MANIFEST);
-        let mut text = files::text_of(&path)?;
-        let with_path = |error: toml::de::Error| format!("{}: {error}", text::path(&path));
-        let wanted = wanted(stages)?;
-        let mut lacking = String::new();
-        let mut added = Vec::new();
-        {
-            let table = DeTable::parse(&text).map_err(with_path)?;
-            let has_dev = has(table.get_ref(), &["profile", "dev"]);
-            for (keys, lines) in &wanted {
-                let is_of_dev = keys.starts_with(&["profile", "dev"]);
-                let is_kept =
-                    is_of_dev && has_dev && !keys.last().is_some_and(|name| stages.contains(name));
-                if !is_kept && !has(table.get_ref(), keys) {
-                    let name = keys.join(".").replace('*', "\"*\"");
-                    lacking.extend(["\n[", &name, "]\n", lines]);
-                    added.push(name);
-                }
-            }
-        }
-        let is_windows = text.contains("\r\n");
-        if !text.is_empty() && !text.ends_with('\n') {
-            lacking.insert(0, '\n');
-        }
-        text += &if is_windows {
-            lacking.replace('\n', "\r\n")
-        } else {
-            lacking
-        };
-        DeTable::parse(&text).map_err(with_path)?;
+        let completed = complete(files::text_of(&path)?, stages);
+        let (text, added) = completed.map_err(|error| format!("{}: {error}", text::path(&path)))?;
         Ok(Self { path, text, added })
     }
 
@@ -91,6 +64,43 @@ impl Manifest {
         cargo.output().map_err(with_path("cargo".as_ref()))?;
         Ok(())
     }
+}
+
+/// The text of a manifest with `common`, `libm`, these stages and the profiles, and the names of the tables that have
+/// been added.
+///
+/// # Errors
+///
+/// Fails if it is no TOML, or the place of the workbook cannot be written into it.
+pub fn complete(mut text: String, stages: &[&str]) -> Result<(String, Vec<String>), String> {
+    let wanted = wanted(stages)?;
+    let mut lacking = String::new();
+    let mut added = Vec::new();
+    {
+        let table = DeTable::parse(&text).map_err(|error| error.to_string())?;
+        let has_dev = has(table.get_ref(), &["profile", "dev"]);
+        for (keys, lines) in &wanted {
+            let is_of_dev = keys.starts_with(&["profile", "dev"]);
+            let is_kept =
+                is_of_dev && has_dev && !keys.last().is_some_and(|name| stages.contains(name));
+            if !is_kept && !has(table.get_ref(), keys) {
+                let name = keys.join(".").replace('*', "\"*\"");
+                lacking.extend(["\n[", &name, "]\n", lines]);
+                added.push(name);
+            }
+        }
+    }
+    let is_windows = text.contains("\r\n");
+    if !text.is_empty() && !text.ends_with('\n') {
+        lacking.insert(0, '\n');
+    }
+    text += &if is_windows {
+        lacking.replace('\n', "\r\n")
+    } else {
+        lacking
+    };
+    DeTable::parse(&text).map_err(|error| error.to_string())?;
+    Ok((text, added))
 }
 
 /// The tables of a complete manifest by their keys, and the lines of each.
