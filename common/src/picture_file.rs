@@ -1,6 +1,7 @@
 //! Opens picture files, and writes PNG files so that each is complete or absent.
 
 mod jpeg;
+mod png_faults;
 
 use std::fmt::Display;
 use std::io::{self, Cursor};
@@ -86,7 +87,10 @@ fn decode_lossless(
     Size::new(width, height).map_err(|error| error.to_string())?;
     let orientation = decoder.orientation().map_err(explain)?;
     let pixels = DynamicImage::from_decoder(decoder).map_err(explain)?;
-    Ok((pixels, orientation))
+    match png_faults::fault(bytes).filter(|_| format == ImageFormat::Png) {
+        Some(fault) => Err(format!("{fault}; save it anew with another program")),
+        None => Ok((pixels, orientation)),
+    }
 }
 
 fn explain(error: ImageError) -> String {
@@ -105,9 +109,10 @@ fn not_supported(kind: impl Display) -> String {
     format!("it is of a kind that is not supported ({kind}); save it as PNG with another program")
 }
 
-/// The clause about a picture that its decoder refuses.
+/// The clause about a picture that its decoder refuses: it may be damaged, or right in a way that the decoder does
+/// not know.
 fn refused(error: impl Display) -> String {
-    format!("its decoder refuses it ({error}); it may be damaged")
+    format!("its decoder refuses it ({error}); if another program opens it, save it as PNG there")
 }
 
 /// Writes a PNG file of red, green and blue bytes, row after row from the top. Other

@@ -10,14 +10,18 @@ use super::{ENDS_TOO_EARLY, not_supported, refused};
 use crate::Size;
 
 /// The marker of the end of a picture.
-const END: &[u8] = &[0xFF, 0xD9];
+const END: u8 = 0xD9;
 
 /// The picture of a file, and how it is to be rotated and mirrored. The error is a clause.
 pub fn decode(bytes: &[u8]) -> Result<(DynamicImage, Orientation), String> {
+    let markers = Markers::read(bytes);
+    if markers.is_lossless {
+        return Err(not_supported("lossless JPEG"));
+    }
     // The decoder would take missing data for zeros. So bits that are all 1 stand before the end: no code consists
     // of such bits alone, and of a whole picture none of them is read. Behind 0xFF, 0 says that it is no marker.
-    let guarded = match bytes.strip_suffix(END) {
-        Some(data) => [data, &[0xFF, 0].repeat(16), END].concat(),
+    let guarded = match markers.end {
+        Some(end) => [&bytes[..end], &[0xFF, 0].repeat(16), &[0xFF, END]].concat(),
         None => bytes.to_vec(),
     };
     let mut decoder = Decoder::new(guarded.as_slice());
@@ -25,7 +29,6 @@ pub fn decode(bytes: &[u8]) -> Result<(DynamicImage, Orientation), String> {
     let info = decoder.info().ok_or("it has no picture")?;
     let (width, height) = (u32::from(info.width), u32::from(info.height));
     Size::new(width, height).map_err(|error| error.to_string())?;
-    let markers = Markers::read(bytes);
     if info.pixel_format == PixelFormat::RGB24 && markers.says_rgb() {
         // The decoder would ask the numbers of the components first.
         decoder.set_color_transform(ColorTransform::RGB);
@@ -46,36 +49,51 @@ pub fn decode(bytes: &[u8]) -> Result<(DynamicImage, Orientation), String> {
     Ok((picture.ok_or(ENDS_TOO_EARLY)?, orientation))
 }
 
-/// What the markers before a picture say about its colours.
+/// What the markers of a picture say.
 #[derive(Default)]
 struct Markers {
     /// JFIF pictures are gray, or YCbCr.
     is_jfif: bool,
     /// The transform of Adobe's marker: 0 for none, 1 for YCbCr, 2 for YCCK.
     adobe: Option<u8>,
+    /// Whether the frame is lossless, by ITU-T T.81 or by T.87 (JPEG-LS). The decoder knows only a part of the first:
+    /// where samples are shifted or intervals are restarted, it draws noise without an error.
+    is_lossless: bool,
+    /// Where the marker of the end stands. Behind it may be a second picture, or bytes of no meaning.
+    end: Option<usize>,
 }
 
 impl Markers {
-    /// The markers up to the first scan.
+    /// The markers up to the end of the first picture.
     fn read(bytes: &[u8]) -> Self {
+        // In the data of a scan, 0xFF stands only before 0 and before the numbers of restarts. Fill bytes may stand
+        // before a marker.
+        let is_marker = |pair: &[u8]| pair[0] == 0xFF && !matches!(pair[1], 0 | 0xD0..=0xD7 | 0xFF);
         let mut markers = Self::default();
-        // Behind the marker of the beginning. The length of a segment includes its own two bytes.
-        let mut rest = bytes.get(2..).unwrap_or_default();
-        while let [0xFF, marker, high, low, ..] = *rest {
+        // Behind the marker of the beginning.
+        let mut place = 2;
+        while let Some(rest) = bytes.get(place..)
+            && let Some(before) = rest.windows(2).position(is_marker)
+            && let [_, marker, segment @ ..] = &rest[before..]
+        {
+            place += before;
+            if *marker == END {
+                markers.end = Some(place);
+                break;
+            }
+            let [high, low, ..] = *segment else {
+                break;
+            };
+            // The length of a segment includes its own two bytes.
             let length = usize::from(u16::from_be_bytes([high, low]));
-            let content = rest.get(4..2 + length).unwrap_or_default();
+            let content = segment.get(2..length).unwrap_or_default();
             match marker {
-                // Fill bytes may stand before a marker.
-                0xFF => {
-                    rest = &rest[1..];
-                    continue;
-                }
-                0xDA => break,
+                0xC3 | 0xC7 | 0xCB | 0xCF | 0xF7 => markers.is_lossless = true,
                 0xE0 if content.starts_with(b"JFIF\0") => markers.is_jfif = true,
                 0xEE if content.starts_with(b"Adobe") => markers.adobe = content.get(11).copied(),
                 _ => {}
             }
-            rest = rest.get(2 + length..).unwrap_or_default();
+            place += 2 + length;
         }
         markers
     }

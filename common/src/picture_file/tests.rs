@@ -157,14 +157,108 @@ fn the_marker_of_adobe_says_what_the_components_are() {
     assert_bytes(&opened(&inks).unwrap(), [40, 24], |_, _| [0, 0, 0]);
 }
 
+/// The marker of the end of a picture.
+const END: [u8; 2] = [0xFF, 0xD9];
+
+/// What may stand behind the end of a picture: a second one follows the first in pictures of two lenses.
+const BEHIND: [&[u8]; 4] = [b"", b"\n", &[0; 40], GRADIENTS[2]];
+
 /// A scan that lacks data is no whole picture. A progressive file that ends behind any scan is one.
 #[test]
 fn a_jpeg_that_is_cut_is_refused_also_with_the_marker_of_an_end() {
     for whole in &GRADIENTS[1..] {
-        for end in 3..whole.len() - 2 {
-            let cut = [&whole[..end], &[0xFF, 0xD9]].concat();
-            assert!(opened(&cut).is_err(), "{end} of {}", whole.len());
+        for behind in BEHIND {
+            let with_more = [whole, behind].concat();
+            assert_eq!(opened(&with_more), opened(whole));
+            // The length of a header that is cut may lead into a second picture, which then opens.
+            let first_cut = if behind.is_empty() {
+                3
+            } else {
+                whole
+                    .windows(2)
+                    .rposition(|pair| pair == [0xFF, 0xDA])
+                    .unwrap()
+            };
+            for end in first_cut..whole.len() - 2 {
+                let cut = [&whole[..end], &END, behind].concat();
+                assert!(opened(&cut).is_err(), "{end} of {}", whole.len());
+            }
         }
+    }
+}
+
+/// The file of a picture whose frame is of another process, with this many bits per channel. Baseline pictures are
+/// read as extended ones (0xC1) of 8 bits.
+fn with_frame(file: &[u8], process: u8, bits: u8) -> Vec<u8> {
+    let mut bytes = file.to_vec();
+    let frame = file
+        .windows(4)
+        .position(|bytes| bytes == [0xFF, 0xC0, 0, 17]);
+    let frame = frame.unwrap();
+    (bytes[frame + 1], bytes[frame + 4]) = (process, bits);
+    bytes
+}
+
+/// ITU-T T.81, table B.1, and T.87: lossless, hierarchical and arithmetic frames, and a hierarchical beginning.
+#[test]
+fn jpeg_of_other_kinds_is_refused_by_its_kind() {
+    let file = GRADIENTS[1];
+    assert_eq!(opened(&with_frame(file, 0xC1, 8)), opened(file));
+    let processes = [
+        0xC3, 0xC5, 0xC6, 0xC7, 0xC9, 0xCA, 0xCB, 0xCD, 0xCE, 0xCF, 0xDE, 0xF7,
+    ];
+    let mut others = processes
+        .map(|process| with_frame(file, process, 8))
+        .to_vec();
+    others.push(with_frame(file, 0xC1, 12));
+    others.push(with_frame(file, 0xC3, 16));
+    for other in others {
+        let error = opened(&other).unwrap_err();
+        let expected = "it is of a kind that is not supported (";
+        assert!(error.starts_with(expected), "{error}");
+    }
+}
+
+/// The file of a picture of indices of 2 bits, four in a byte, of which each row has six, with a palette of three
+/// colours.
+fn with_palette(rows: &[[u8; 2]]) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 6, rows.len() as u32);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_depth(png::BitDepth::Two);
+    encoder.set_palette(vec![1, 2, 3, 11, 12, 13, 21, 22, 23]);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(rows.as_flattened()).unwrap();
+    drop(writer);
+    file
+}
+
+#[test]
+fn a_png_with_pixels_beyond_its_palette_or_its_height_is_refused() {
+    // The last two pixels of a second byte are none: they may have any bits.
+    let right = [[0b00_01_10_00, 0b10_01_11_11], [0; 2]];
+    let picture = opened(&with_palette(&right)).unwrap();
+    let reds: Vec<_> = picture.pixels()[..6]
+        .iter()
+        .map(|color| color.to_bytes()[0])
+        .collect();
+    assert_eq!(reds, [1, 11, 21, 1, 21, 11]);
+    let beyond = with_palette(&[[0; 2], [0, 0b00_11_00_00]]);
+    let [two, three] = [2, 3].map(|rows| with_palette(&vec![[0; 2]; rows]));
+    // Header and data of two files: the signature and the first chunk have 33 bytes.
+    let with_more = [&two[..33], &three[33..]].concat();
+    for (file, fault) in [
+        (
+            beyond,
+            "it has pixels of colours that its palette lacks; save",
+        ),
+        (
+            with_more,
+            "it has more rows of pixels than its header says; save",
+        ),
+    ] {
+        let error = opened(&file).unwrap_err();
+        assert!(error.starts_with(fault), "{error}");
     }
 }
 
