@@ -2,6 +2,7 @@
 
 mod corner_tree;
 mod obj;
+mod other_file;
 mod places;
 mod ply;
 mod ply_header;
@@ -53,6 +54,9 @@ impl Mesh {
     /// clause.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        if let Some(kind) = other_file::by_first_bytes(bytes) {
+            return Err(is_other_file(kind));
+        }
         let is_ply = ply_header::is_ply(bytes);
         let read = if is_ply {
             ply::read(bytes)
@@ -69,14 +73,16 @@ impl Mesh {
         }
         Err(if mesh.counts.too_small > 0 {
             "none of its faces has three corners".to_owned()
-        } else if count == 0 {
-            "it has no faces; a mesh is an OBJ file with lines such as f 1 2 3, or a PLY file"
-                .to_owned()
-        } else {
+        } else if count > 0 {
             format!(
                 "it has no faces, only {}, perhaps with lines between them; a mesh needs faces",
                 number_of(count, "point")
             )
+        } else if let Some(kind) = other_file::by_lines(bytes).filter(|_| !is_ply) {
+            is_other_file(kind)
+        } else {
+            "it has no faces; a mesh is an OBJ file with lines such as f 1 2 3, or a PLY file"
+                .to_owned()
         })
     }
 
@@ -191,6 +197,16 @@ impl Mesh {
             ));
         }
         notes
+    }
+}
+
+/// The error of a file of another kind.
+fn is_other_file(kind: &str) -> String {
+    // Where a mesh of this kind can be exported, the error names our kinds already.
+    if kind.contains("OBJ") {
+        format!("it is {kind}")
+    } else {
+        format!("it is {kind}; a mesh is an OBJ or PLY file")
     }
 }
 

@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use common::text::{is_unseen, name};
 
 use super::NONE;
+use super::ply_numbers::number;
 use super::polygons::Polygons;
 
 /// The corners, normals and faces. The error is a clause.
@@ -52,7 +53,6 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
         }
         add(&statement, place, &mut polygons).map_err(|mistake| match mistake {
             Mistake::Form(right) => format!("line {place} is \"{}\", but {right}", name(line)),
-            Mistake::Position(wrong) => format!("line {place} {wrong}"),
             Mistake::Corner(number) => polygons.missing_corner(place, &number),
         })?;
     }
@@ -63,8 +63,6 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
 enum Mistake {
     /// Its form; this is the right one.
     Form(&'static str),
-    /// A point that is none: the end of a sentence about it.
-    Position(String),
     /// The number of a corner before the first.
     Corner(String),
 }
@@ -78,7 +76,7 @@ fn add(statement: &str, place: usize, polygons: &mut Polygons) -> Result<(), Mis
     match words.next() {
         Some("v") => {
             let corner = vector(words).ok_or(CORNER)?;
-            polygons.add_position(corner).map_err(Mistake::Position)?;
+            polygons.add_position(corner, format_args!("line {place}"));
         }
         // A normal that cannot be read is as good as none.
         Some("vn") => polygons
@@ -99,7 +97,7 @@ fn add(statement: &str, place: usize, polygons: &mut Polygons) -> Result<(), Mis
 fn vector<'a>(mut words: impl Iterator<Item = &'a str>) -> Option<[f64; 3]> {
     let mut numbers = [0.0; 3];
     for coordinate in &mut numbers {
-        *coordinate = words.next()?.parse().ok()?;
+        *coordinate = number(words.next()?)?;
     }
     Some(numbers)
 }
@@ -133,7 +131,9 @@ fn index(number: i64, lines: usize) -> Option<u32> {
     index.try_into().ok().filter(|index| *index < NONE - 1)
 }
 
-/// The line before its comment, which begins with `#`.
+/// The line before its comment, which begins with `#`, but not behind a point as in `1.#IND`.
 fn without_comment(line: &str) -> &str {
-    line.split('#').next().unwrap_or_default()
+    let mut marks = line.match_indices('#').map(|(at, _)| at);
+    let comment = marks.find(|at| !line[..*at].ends_with('.'));
+    &line[..comment.unwrap_or(line.len())]
 }

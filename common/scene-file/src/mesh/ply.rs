@@ -1,5 +1,5 @@
-//! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): vertices with their normals, and
-//! faces.
+//! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): vertices with their normals, faces,
+//! and strips of triangles.
 
 use common::text::number;
 
@@ -16,7 +16,7 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
     let (Header { encoding, elements }, rest) = ply_header::read(bytes)?;
     let mut numbers = Numbers { encoding, rest };
     let mut reader = Reader::default();
-    reader.polygons.format = Format::Ply;
+    reader.polygons.format = Format::Ply { element: "face" };
     // Faces may stand before the vertices, whose normals have the indices of their corners.
     reader.has_normals = elements.iter().any(|element| {
         let mut properties = element.properties.iter();
@@ -46,7 +46,6 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
                         "{name} {i} has the vertex {}, but vertices are numbered from 0",
                         number(index)
                     ),
-                    Mistake::Position(wrong) => format!("{name} {i} {wrong}"),
                 }
             })?;
         }
@@ -62,8 +61,6 @@ enum Mistake {
     Length(f64),
     /// An index that is none.
     Vertex(f64),
-    /// A point that is none: the end of a sentence about it.
-    Position(String),
 }
 
 /// Checks that the things of an element have the properties that are needed.
@@ -80,10 +77,10 @@ fn check(element: &Element) -> Result<(), String> {
                 return Err(format!("its vertices lack the property {missing}"));
             }
         }
-        "face" if element.count > 0 => {
+        name @ ("face" | "tristrips") if element.count > 0 => {
             let mut properties = element.properties.iter();
             if !properties.any(Property::is_corners) {
-                return Err("its faces lack the list vertex_indices".to_owned());
+                return Err(format!("its element {name} lacks the list vertex_indices"));
             }
         }
         _ => (),
@@ -128,14 +125,18 @@ impl Reader {
                 let number = numbers.next(property.kind).map_err(Mistake::Number)?;
                 self.list.push(number);
             }
-            if element.name == "face" && property.is_corners() {
-                self.add_face(place)?;
+            if property.is_corners() {
+                match element.name.as_str() {
+                    "face" => self.add_face(place)?,
+                    "tristrips" => self.add_strips(place)?,
+                    _ => {}
+                }
             }
         }
         if element.name == "vertex" {
             let [x, y, z, normal @ ..] = vertex;
-            let added = self.polygons.add_position([x, y, z]);
-            added.map_err(Mistake::Position)?;
+            let place = format_args!("vertex {place}");
+            self.polygons.add_position([x, y, z], place);
             if self.has_normals {
                 self.polygons.normals.push(normal);
             }
@@ -150,6 +151,30 @@ impl Reader {
             self.polygons.corners.push(corner);
         }
         self.polygons.end_face(place);
+        Ok(())
+    }
+
+    /// Adds the strips of a list, between which stands -1. Each three neighbours in a strip are a triangle, and
+    /// every second one goes round the other way.
+    fn add_strips(&mut self, place: usize) -> Result<(), Mistake> {
+        self.polygons.format = Format::Ply {
+            element: "tristrips",
+        };
+        // An unsigned type has no -1.
+        let is_between = |index: &f64| *index == -1.0 || *index == f64::from(u32::MAX);
+        for strip in self.list.split(is_between) {
+            for (i, triangle) in strip.windows(3).enumerate() {
+                let order = if i % 2 == 0 { [0, 1, 2] } else { [1, 0, 2] };
+                for index in order.map(|k| triangle[k]) {
+                    let corner = corner(index, self.has_normals)?;
+                    self.polygons.corners.push(corner);
+                }
+                self.polygons.end_face(place);
+            }
+            if let 1 | 2 = strip.len() {
+                self.polygons.end_face(place);
+            }
+        }
         Ok(())
     }
 }

@@ -50,7 +50,7 @@ impl Numbers<'_> {
             return Err(NoNumber::End);
         }
         let word = String::from_utf8_lossy(word);
-        word.parse().map_err(|_| NoNumber::Word(text::name(&word)))
+        number(&word).ok_or_else(|| NoNumber::Word(text::name(&word)))
     }
 
     /// The bytes of the next number, the least significant one first.
@@ -63,4 +63,11 @@ impl Numbers<'_> {
         }
         Ok(bytes)
     }
+}
+
+/// The number of a word. Programs for Windows write NaN as `-nan(ind)` or `1.#QNAN`, and infinity, which is as good
+/// as NaN, as `1.#INF`.
+pub fn number(word: &str) -> Option<f64> {
+    let is_of_windows = word.contains("nan(") || word.contains(".#");
+    word.parse().ok().or(is_of_windows.then_some(f64::NAN))
 }

@@ -1,5 +1,8 @@
 //! `Polygons`: the points, normals and faces of a file, before the faces are triangles.
 
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
 use common::argument::MAX_LENGTH;
 use common::text;
 
@@ -10,6 +13,8 @@ pub struct Polygons {
     pub format: Format,
     /// The points.
     pub positions: Vec<[f64; 3]>,
+    /// Points that are none, by their index, with the error of a face that has one.
+    pub wrong_positions: BTreeMap<usize, String>,
     /// The normals, of any length; NaN where the file has no numbers for them.
     pub normals: Vec<[f64; 3]>,
     /// The corners of all faces, one face after the other: the index of the point, and that of
@@ -36,8 +41,11 @@ pub enum Format {
     /// Wavefront OBJ: corners are numbered from 1.
     #[default]
     Obj,
-    /// PLY: vertices are numbered from 0.
-    Ply,
+    /// PLY: vertices are numbered from 0. This element has the faces.
+    Ply {
+        /// `face` or `tristrips`.
+        element: &'static str,
+    },
 }
 
 impl Polygons {
@@ -53,19 +61,21 @@ impl Polygons {
         }
     }
 
-    /// Adds a point. The error is the end of a sentence about it.
-    pub fn add_position(&mut self, position: [f64; 3]) -> Result<(), String> {
+    /// Adds a point, with its place in words. One that is none, such as the NaN that a depth camera writes where it
+    /// has seen nothing, is an error only if a face has it.
+    pub fn add_position(&mut self, position: [f64; 3], place: impl Display) {
         for (axis, x) in ["x", "y", "z"].into_iter().zip(position) {
             let is_coordinate = x.abs() <= MAX_LENGTH;
             if !is_coordinate {
                 let x = text::number(x);
-                return Err(format!(
-                    "has the {axis} {x}, but a coordinate is from -1e100 to 1e100"
-                ));
+                let error =
+                    format!("{place} has the {axis} {x}, but a coordinate is from -1e100 to 1e100");
+                self.wrong_positions.insert(self.positions.len(), error);
+                self.positions.push([0.0; 3]);
+                return;
             }
         }
         self.positions.push(position);
-        Ok(())
     }
 
     /// Checks that each corner of a face is a point. The error is a clause.
@@ -77,9 +87,12 @@ impl Polygons {
                 if index >= self.positions.len() {
                     let corner = match self.format {
                         Format::Obj => index + 1,
-                        Format::Ply => index,
+                        Format::Ply { .. } => index,
                     };
                     return Err(self.missing_corner(*place, &corner.to_string()));
+                }
+                if let Some(wrong) = self.wrong_positions.get(&index) {
+                    return Err(wrong.clone());
                 }
             }
             first = *end;
@@ -94,7 +107,9 @@ impl Polygons {
             Format::Obj => {
                 format!("the face in line {place} has the corner {corner} of {count}, from 1")
             }
-            Format::Ply => format!("face {place} has the vertex {corner} of {count}, from 0"),
+            Format::Ply { element } => {
+                format!("{element} {place} has the vertex {corner} of {count}, from 0")
+            }
         }
     }
 }

@@ -93,6 +93,56 @@ fn each_ply_is_the_square_or_gets_its_error() {
     });
 }
 
+/// In a strip of PLY, two equal corners are a triangle without area, which changes the direction of the next ones.
+#[test]
+fn a_strip_goes_round_the_other_way_behind_equal_corners() {
+    let change = ["element face", "uchar", "4 0 1 2 3"];
+    let strip = ["element tristrips", "int", "5 0 0 1 3 2"];
+    let mut file = PLY.to_owned();
+    for (from, to) in change.into_iter().zip(strip) {
+        file = file.replace(from, to);
+    }
+    let mut areas = Vec::new();
+    for ([a, b, c], _) in read(file.as_bytes()).triangles() {
+        areas.push(((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2.0);
+    }
+    assert_eq!(areas, [0.0, -0.5, -0.5]);
+}
+
+#[test]
+fn other_files_are_called_by_their_kind() {
+    let utf_16: Vec<u8> = SQUARE.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let with_mark = [b"\xFF\xFE", &utf_16[..]].concat();
+    let mut stl = vec![b' '; 80];
+    stl.extend(1_u32.to_le_bytes());
+    stl.extend([0; 50]);
+    for (file, expected) in [
+        (
+            &b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"[..],
+            "an STL file",
+        ),
+        (&stl, "an STL file"),
+        (b"\x1F\x8B\x08\x00", "packed by gzip"),
+        (b"PK\x03\x04rest", "packed by zip"),
+        (&utf_16, "text in UTF-16"),
+        (&with_mark, "text in UTF-16"),
+        (b"[camera]\neye = [0, 0, 1]\n", "a TOML file"),
+        (b"glTF\x02\0\0\0", "a glTF file"),
+        (b"{ \"asset\": { \"version\": \"2.0\" } }", "a glTF file"),
+        (b"OFF\n4 1 0\n0 0 0\n", "an OFF file"),
+        (
+            b"version https://git-lfs.github.com/spec/v1\n",
+            "a pointer of Git LFS",
+        ),
+        (b"newmtl gold\nKd 1 1 0\n", "a file of materials"),
+        (b"", "empty"),
+    ] {
+        let error = Mesh::read(file).err().unwrap();
+        assert!(error.starts_with(&format!("it is {expected}")), "{error}");
+        assert_eq!(error.matches("OBJ").count(), 1, "{error}");
+    }
+}
+
 /// Files of Rhino 6 and of Draco have lines that end with CR alone.
 #[test]
 fn the_first_byte_of_a_number_in_ply_may_look_like_the_end_of_a_line() {
