@@ -22,9 +22,11 @@ fn schema() -> String {
     let definition = |kind: &Kind| format!("\"{}\": {{\n{}\n}}", kind.name, object(kind));
     let mut definitions: Vec<_> = TABLES.iter().map(definition).collect();
     let names: Vec<_> = color_names().map(|name| format!("\"{name}\"")).collect();
+    // The program takes names in capital letters, too, which the schema does not check.
     definitions.push(format!(
         "\"color_text\": {{\n\"anyOf\": [\n{{ \"type\": \"string\", \"pattern\": \
-         \"^#([0-9a-fA-F]{{3}}){{1,2}}$\" }},\n{{ \"enum\": [{}] }}\n]\n}}",
+         \"^#([0-9a-fA-F]{{3}}){{1,2}}$\" }},\n{{ \"type\": \"string\", \"pattern\": \
+         \"^[a-zA-Z]*[A-Z][a-zA-Z]*$\" }},\n{{ \"enum\": [{}] }}\n]\n}}",
         names.join(", ")
     ));
     let draft = "http://json-schema.org/draft-07/schema#";

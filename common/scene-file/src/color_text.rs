@@ -78,5 +78,11 @@ mod tests {
             assert_eq!(bytes(color), Ok(expected), "{color}");
         }
         assert!(bytes("#+f8000").is_err());
+        for line in NAMES.lines() {
+            assert!(
+                names().any(|name| line.starts_with(name) && bytes(name).is_ok()),
+                "{line}"
+            );
+        }
     }
 }

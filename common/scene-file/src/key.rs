@@ -52,7 +52,7 @@ impl Key {
                 word => Some(unit(word)?),
             },
             range: Range::parse(cell()?)?,
-            missing: Missing::parse(cell()?),
+            missing: Missing::parse(cell()?)?,
             stage: cell()?.parse().ok()?,
             about: cell()?,
         };
@@ -75,18 +75,21 @@ fn unit(word: &str) -> Option<Unit> {
 }
 
 impl Missing {
-    fn parse(text: &'static str) -> Self {
+    /// The meaning of a cell, such as "needed, or `look_at`"; any other text is the value of a missing key.
+    fn parse(text: &'static str) -> Option<Self> {
         let other = |words| Some(text.strip_prefix(words)?.trim_matches('`'));
         if text == "needed" {
-            Self::Needed
+            Some(Self::Needed)
         } else if let Some(other) = other("needed, or ") {
-            Self::NeededOr(other)
+            Some(Self::NeededOr(other))
         } else if let Some(other) = other("needed with ") {
-            Self::NeededWith(other)
+            Some(Self::NeededWith(other))
         } else if let Some(other) = other("instead of ") {
-            Self::InsteadOf(other)
+            Some(Self::InsteadOf(other))
         } else {
-            Self::Optional
+            let text = text.to_lowercase();
+            let is_misspelt = text.contains("need") || text.contains("instead");
+            (!is_misspelt).then_some(Self::Optional)
         }
     }
 }

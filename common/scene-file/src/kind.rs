@@ -94,7 +94,7 @@ pub(crate) fn name(header: &str) -> &str {
     name.trim_end_matches(".NAME")
 }
 
-/// The kind of this name, which the list has.
+/// The kind of this name, which the list has: a test says so of each name in it.
 pub(crate) fn find(name: &str) -> &'static Kind {
     let found = TABLES.iter().find(|kind| kind.name == name);
     found.unwrap_or(&FILE)
@@ -148,12 +148,52 @@ pub static FILE: LazyLock<Kind> = LazyLock::new(|| {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     #[test]
     fn every_row_of_the_list_is_read() {
         for (number, row) in (3..).zip(rows()) {
             assert!(row.is_some(), "keys.md:{number}");
+        }
+        for misspelt in ["needed or `b`", "needed,or `b`", "Needed", "instead `b`"] {
+            let row = format!("| `[a]` | `a` | number |  |  | {misspelt} | 4 | a number |");
+            let read = Key::parse(row.leak());
+            assert!(
+                read.is_none_or(|(_, key)| key.missing != Missing::Optional),
+                "{misspelt}"
+            );
+        }
+    }
+
+    /// A row may name a table or another key of its own.
+    #[test]
+    fn every_name_in_the_list_is_known_and_stands_once() {
+        for name in ["picture", "camera", "world", "step", "use"] {
+            assert_eq!(find(name).name, name);
+        }
+        let mut names = BTreeSet::new();
+        for kind in TABLES.iter() {
+            assert!(names.insert(kind.name.to_owned()), "{}", kind.name);
+            for key in &kind.keys {
+                let name = format!("{} {}", kind.name, key.name);
+                assert!(names.insert(name.clone()), "{name}");
+                let has_numbers = matches!(key.form, Form::Numbers { .. } | Form::Color);
+                assert_eq!(key.unit.is_some(), has_numbers, "{name}");
+                if let Form::Tables(table) = key.form {
+                    assert_eq!(find(table).name, table, "{name}");
+                }
+                let missing = |other| kind.key(other).map(|other| other.missing);
+                let (or, instead) = (Missing::NeededOr(key.name), Missing::InsteadOf(key.name));
+                let is_right = match key.missing {
+                    Missing::Needed | Missing::Optional => true,
+                    Missing::NeededWith(other) => missing(other).is_some(),
+                    Missing::InsteadOf(other) => missing(other) == Some(or),
+                    Missing::NeededOr(other) => [Some(or), Some(instead)].contains(&missing(other)),
+                };
+                assert!(is_right, "{name}: {:?}", key.missing);
+            }
         }
     }
 }
