@@ -19,3 +19,4 @@ mod scene_files;
 mod schema;
 mod sensitivity;
 mod work;
+mod written_texts;

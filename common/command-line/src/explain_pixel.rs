@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use common::{Color, Error, Renderer, Scene, Settings, atomic_file, text};
+use common::{Color, Error, Renderer, Scene, Settings};
 
 use crate::Inspector;
 use crate::by_numbers::list_numbers;
@@ -10,7 +10,7 @@ use crate::explained_pixel::trace_in_words;
 use crate::options::{MAX_EXPLAINED_SAMPLES, Options};
 use crate::print::{print, warn};
 use crate::render::{render, warn_unused};
-use crate::target::check_no_input;
+use crate::target::{Replace, check_text, write_text};
 
 /// How a pixel is explained.
 #[derive(clap::Args)]
@@ -30,6 +30,9 @@ pub struct ExplainArgs {
     /// Write an SVG of the first sample's rays, from the side and from above
     #[arg(long, value_name = "FILE")]
     drawing: Option<PathBuf>,
+
+    #[command(flatten)]
+    other: Replace,
 
     /// Find the first step at which the renderer of --fast or --no-omit parts from the lesson
     #[arg(long)]
@@ -69,8 +72,7 @@ fn explain_pixel(
     let ([x, y], options) = (pixel, &arguments.options);
     let rays = scene.rays()?;
     if let Some(path) = &arguments.drawing {
-        check_no_input(path, scene, options)?;
-        atomic_file::check_writable(path)?;
+        check_text(path, "svg", scene, options)?;
     }
     warn_unused(scene, options, &settings);
     let mut traced = settings.clone();
@@ -86,8 +88,7 @@ fn explain_pixel(
     })?;
     if let Some(path) = &arguments.drawing {
         let drawing = inspector(scene)?.drawing(&settings, &trace, scene.name)?;
-        atomic_file::write(path, drawing.as_bytes())?;
-        warn(&format!("note: the drawing is {}", text::path(path)));
+        write_text(path, &drawing, &arguments.other)?;
     }
     if arguments.beside {
         let other = rays.trace(&settings, pixel)?;

@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use std::process::{self, ExitCode};
 
 use clap::{Args, Subcommand};
-use common::{Error, Stage, atomic_file, text, workbook};
+use common::{Error, Stage, text, workbook};
 
 use crate::Inspector;
 use crate::explain_pixel::{ExplainArgs, explain};
 use crate::options::Options;
 use crate::print::print;
-use crate::target::check_no_input;
+use crate::target::{Replace, check_text, write_text};
 
 /// The commands.
 #[derive(Subcommand)]
@@ -33,9 +33,12 @@ pub enum Command {
         #[arg(long, value_name = "LANGUAGE", value_parser = ["toml", "povray"])]
         to: String,
 
-        /// The file [default: standard output]
+        /// The file, which ends in .toml or .pov as the language [default: standard output]
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
+
+        #[command(flatten)]
+        other: Replace,
 
         #[command(flatten)]
         options: Options,
@@ -66,15 +69,17 @@ pub fn execute(stage: &Stage, inspector: Inspector, command: Command) -> Result<
             scene,
             to,
             output,
+            other,
             options,
         } => {
             let scene = stage.scene(&scene)?;
+            if let Some(path) = &output {
+                let ending = if to == "toml" { "toml" } else { "pov" };
+                check_text(path, ending, &scene, &options)?;
+            }
             let text = inspector(&scene)?.export(&to, &options.settings(&scene)?)?;
             match output {
-                Some(path) => {
-                    check_no_input(&path, &scene, &options)?;
-                    atomic_file::write(&path, text.as_bytes())
-                }
+                Some(path) => write_text(&path, &text, &other),
                 None => print(text.trim_end()),
             }
         }

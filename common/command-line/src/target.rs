@@ -1,10 +1,12 @@
-//! `Target`: where pictures are written.
+//! Where pictures and texts are written: `Target` for pictures, `write_text` for a text.
 
+use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
 
 use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file, text};
 
 use crate::options::Options;
+use crate::print::warn;
 
 /// The folder for pictures, below the current one.
 const DEFAULT_FOLDER: &str = "out";
@@ -38,7 +40,7 @@ impl Target {
             )),
             _ if path.is_dir() => Ok(Self::Folder(path)),
             None => Ok(Self::Folder(path)),
-            Some(_) if !is_png(&path) => Err(Error::Usage(format!(
+            Some(_) if !ends_in(&path, "png") => Err(Error::Usage(format!(
                 "-o {} must be a folder or the name of a PNG file, ending in .png",
                 text::path(&path)
             ))),
@@ -88,14 +90,14 @@ impl Target {
     }
 }
 
-fn is_png(path: &Path) -> bool {
+fn ends_in(path: &Path, ending: &str) -> bool {
     path.extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case("png"))
+        .is_some_and(|end| end.eq_ignore_ascii_case(ending))
 }
 
 /// An error if the name of a file is not that of a PNG file.
 pub fn check_png(path: &Path) -> Result<(), Error> {
-    if is_png(path) {
+    if ends_in(path, "png") {
         return Ok(());
     }
     Err(Error::Usage(format!(
@@ -106,7 +108,7 @@ pub fn check_png(path: &Path) -> Result<(), Error> {
 
 /// Whether both names lead to one file that is there.
 pub fn is_same_file(one: &Path, other: &Path) -> bool {
-    let found = [one, other].map(std::fs::canonicalize);
+    let found = [one, other].map(fs::canonicalize);
     matches!(found, [Ok(one), Ok(other)] if one == other)
 }
 
@@ -122,6 +124,49 @@ pub fn check_no_input(path: &Path, scene: &Scene, options: &Options) -> Result<(
     }
 }
 
+/// What becomes of a file with another text than the one that is written.
+#[derive(clap::Args)]
+pub struct Replace {
+    /// Replace a file that has another text
+    #[arg(long)]
+    replace: bool,
+}
+
+/// An error if a text cannot be written into the file that a person names: it must have this ending.
+pub fn check_text(
+    path: &Path,
+    ending: &str,
+    scene: &Scene,
+    options: &Options,
+) -> Result<(), Error> {
+    if !ends_in(path, ending) {
+        let path = text::path(path);
+        return Err(Error::Usage(format!(
+            "{path} must be the name of a file that ends in .{ending}; nothing is written"
+        )));
+    }
+    check_no_input(path, scene, options)?;
+    atomic_file::check_writable(path)
+}
+
+/// Writes a text into a file that is checked, and says so. A file with another text is kept, which may be a person's
+/// work, unless the person wants it replaced.
+pub fn write_text(path: &Path, text: &str, other: &Replace) -> Result<(), Error> {
+    let is_other = |found: Metadata| {
+        found.len() != text.len() as u64
+            || !fs::read(path).is_ok_and(|found| found == text.as_bytes())
+    };
+    let shown = text::path(path);
+    if !other.replace && fs::metadata(path).is_ok_and(is_other) {
+        return Err(Error::Usage(format!(
+            "{shown} is there and has another text; it is kept, unless --replace is given"
+        )));
+    }
+    atomic_file::write(path, text.as_bytes())?;
+    warn(&format!("note: {shown} is written"));
+    Ok(())
+}
+
 /// Makes `out/` if it is missing.
 pub fn make_default_folder() -> Result<&'static Path, Error> {
     let folder = Path::new(DEFAULT_FOLDER);
@@ -131,7 +176,7 @@ pub fn make_default_folder() -> Result<&'static Path, Error> {
 
 /// Makes a folder if it is missing, and its parents.
 pub fn make_folder(folder: &Path) -> Result<(), Error> {
-    match std::fs::create_dir_all(folder) {
+    match fs::create_dir_all(folder) {
         // If a file has this name, the error comes from writing into it.
         Err(error) if !folder.exists() => Err(atomic_file::cannot_write(folder, &error)),
         _ => Ok(()),

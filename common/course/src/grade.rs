@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use ::sheet::Sheet;
+use common::text;
 use learn::exercise::{self, Exercise};
 use learn::files;
 
@@ -42,6 +43,9 @@ pub struct Grade {
     /// folder
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
+    /// Replaces results in a folder that is not empty
+    #[arg(long, requires = "output")]
+    replace: bool,
 }
 
 impl Grade {
@@ -51,6 +55,11 @@ impl Grade {
         if !cfg!(target_os = "linux") {
             let instead = "on Windows use WSL, on macOS a virtual machine or a container";
             return Err(format!("files are judged on Linux only; {instead}"));
+        }
+        if let Some(folder) = &self.output
+            && !self.replace
+        {
+            results::check_empty(folder)?;
         }
         let sheets = sheet::chosen(&self.sheets)?;
         let sets_exercises = sheets.is_empty() || self.until.is_some();
@@ -109,6 +118,7 @@ impl Grade {
         let unclear: Vec<_> = unclear.map(|student| student.name.clone()).collect();
         if let Some(folder) = &self.output {
             results::write(folder, &graded)?;
+            println!("the results are in {}", text::path(folder));
         }
         if unclear.is_empty() {
             return Ok(match graded.len() {
