@@ -2,6 +2,9 @@
 
 use crate::prelude::*;
 
+/// The letter of a pixel that is neither black nor red, green or blue.
+const OTHER: char = '?';
+
 /// The answer of a function that paints a picture of this width and height. In its rows, `.` is a
 /// black pixel.
 pub fn painted((w, h): (u32, u32), paint: impl Fn(Size) -> Result<Image, Error>) -> Answer {
@@ -11,7 +14,10 @@ pub fn painted((w, h): (u32, u32), paint: impl Fn(Size) -> Result<Image, Error>)
     };
     let mut answer = Answer::named("size", Answer::words(image.size().to_string()));
     for (row, pixels) in image.rows().enumerate() {
-        let letters: String = pixels.iter().map(letter).collect();
+        let mut letters: String = pixels.iter().map(letter).collect();
+        if let Some(other) = pixels.iter().find(|color| letter(color) == OTHER) {
+            letters += &format!(", where {OTHER} is {:?}", other.channels());
+        }
         answer = answer.and(&format!("row {row}"), Answer::words(letters));
     }
     answer
@@ -23,6 +29,6 @@ fn letter(color: &Color) -> char {
         Color::RED => 'r',
         Color::GREEN => 'g',
         Color::BLUE => 'b',
-        _ => '?',
+        _ => OTHER,
     }
 }

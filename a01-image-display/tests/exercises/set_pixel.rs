@@ -38,8 +38,14 @@ pub fn exercise() -> Exercise<Code> {
             Ok(image)
         })
     });
+    // A picture may have more light than a screen shows.
+    let light = Form::new(|set_pixel: &Code, color| {
+        let mut image = Image::black(Size::new(1, 1).ok()?).ok()?;
+        set_pixel(&mut image, 0, 0, color);
+        image.get(0, 0)
+    });
     Exercise {
-        forms: vec![red, colors, pictures],
+        forms: vec![red, colors, pictures, light],
         picture: Picture::own(boat),
         ..Exercise::default()
     }

@@ -9,8 +9,9 @@ pub struct OrthographicCamera {
 }
 
 impl OrthographicCamera {
-    /// A camera at `e` looking along `g` with `t` upwards, whose picture shows a height
-    /// of `s` from the middle of its lowest pixel to the middle of its highest.
+    /// A camera at `e` looking along `g` with `t` upwards, whose picture of `w` by `h`
+    /// pixels shows a height of `s` from the middle of its lowest pixel to the middle of its highest, and a width of
+    /// `s w / h` from the middle of its first column to the middle of its last.
     pub fn new(e: Point3, g: Vector3, t: Vector3, s: f64) -> Result<Self, ArgumentError> {
         let basis = Basis::new(e, g, t)?;
         Ok(Self { basis, s })

@@ -8,6 +8,7 @@ type Code = fn(Point3, f64, &Ray) -> bool;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise::asked(|may_meet: &Code, (c, r, o, d)| {
-        may_meet(point(c), r, &Ray::derived(point(o), vector(d)))
+        let meets = may_meet(point(c), r, &Ray::derived(point(o), vector(d)));
+        Answer::named("a point within r", meets)
     })
 }

@@ -33,6 +33,7 @@ pub fn exercise() -> Exercise<Code> {
 /// The corners of the triangles, or the beginning of the error.
 fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
     Answer::words(match read {
+        Ok(read) if read.is_empty() => "no triangles, and no error".to_owned(),
         Ok(read) => read.iter().map(corners).collect::<Vec<_>>().join("; "),
         Err(error) => error.split(':').take(1).collect(),
     })

@@ -27,7 +27,7 @@ pub fn exercise() -> Exercise<Code> {
     }
 }
 
-fn answer(is_shadowed: &Code, (p, (centre, radius), to_lamp, distance): Lit) -> Option<bool> {
+fn answer(is_shadowed: &Code, (p, (centre, radius), to_lamp, distance): Lit) -> Option<Answer> {
     // The eye is beside the point, as far as the lamp or, before the sun, the ball.
     let to_ball = (point(centre) - point(p)).magnitude();
     let size = if distance.is_finite() {
@@ -44,5 +44,6 @@ fn answer(is_shadowed: &Code, (p, (centre, radius), to_lamp, distance): Lit) -> 
         distance,
         ..Illumination::default()
     };
-    Some(is_shadowed(world.objects(), &ray, &hit, &light))
+    let is_shadowed = is_shadowed(world.objects(), &ray, &hit, &light);
+    Some(Answer::named("an object between", is_shadowed))
 }

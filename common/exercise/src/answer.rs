@@ -171,6 +171,7 @@ impl Value {
 
     fn in_words(&self, shown: impl Fn(f64) -> String) -> String {
         match self {
+            Self::Words(words) if words.is_empty() => "nothing".to_owned(),
             Self::Words(words) => words.clone(),
             Self::Numbers(numbers) => {
                 let numbers: Vec<_> = numbers.iter().map(|number| shown(*number)).collect();
