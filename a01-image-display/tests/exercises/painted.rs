@@ -16,7 +16,8 @@ pub fn painted((w, h): (u32, u32), paint: impl Fn(Size) -> Result<Image, Error>)
     for (row, pixels) in image.rows().enumerate() {
         let mut letters: String = pixels.iter().map(letter).collect();
         if let Some(other) = pixels.iter().find(|color| letter(color) == OTHER) {
-            letters += &format!(", where {OTHER} is {:?}", other.channels());
+            let channels = format!("{:?}", other.channels());
+            letters.extend([", where ? is ", &channels]);
         }
         answer = answer.and(&format!("row {row}"), Answer::words(letters));
     }
