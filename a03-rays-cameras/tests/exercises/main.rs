@@ -1,4 +1,4 @@
-//! Proves the exercises of this stage, which the book sets, and judges students' files.
+//! Judges students' files of the exercises of this stage, which the book sets.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 

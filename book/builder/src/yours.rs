@@ -107,7 +107,7 @@ fn build_module(stage: &str, names: &[&str], messages: Stdio) -> Result<Option<P
     cargo.args(["--package", stage, "--test", "exercises"]);
     cargo.args(["--profile", "live", "--target", TARGET]);
     cargo.args(["--message-format", "json-render-diagnostics"]);
-    cargo.args(["--", "--cfg", "learn", "-A", "unused"]);
+    cargo.args(["--", "-A", "unused"]);
     for name in names {
         cargo.args(["--cfg", name]);
     }

@@ -88,9 +88,7 @@ impl Handout {
         cargo.args(["update", "--workspace", "--offline", "--quiet"]);
         output_of(cargo.current_dir(folder))?;
         let count = exercises(course, self.until.as_ref())?.len();
-        Ok(format!(
-            "{shown}: {count} exercises; test it: cargo test --workspace --test exercises"
-        ))
+        Ok(format!("{shown}: {count} exercises; test it: cargo learn"))
     }
 
     /// The files of the workbook.

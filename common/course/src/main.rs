@@ -16,6 +16,7 @@ mod own_program;
 mod packages;
 mod picture_page;
 mod program_output;
+mod prove;
 mod results;
 mod sandbox;
 mod sheet;
@@ -32,6 +33,7 @@ use learn::exercise::{self, Exercise};
 use grade::Grade;
 use handout::Handout;
 use mistake::Mistake;
+use prove::Prove;
 
 /// Hands a workbook out to students, and grades what comes back
 #[derive(Parser)]
@@ -40,6 +42,7 @@ enum Command {
     Handout(Handout),
     Grade(Grade),
     Mistake(Mistake),
+    Prove(Prove),
 }
 
 fn main() -> ExitCode {
@@ -62,6 +65,7 @@ fn run(command: Command) -> Result<String, String> {
         Command::Handout(handout) => handout.run(course),
         Command::Grade(grade) => grade.run(course),
         Command::Mistake(mistake) => mistake.run(course),
+        Command::Prove(prove) => prove.run(course),
     }
 }
 

@@ -115,7 +115,7 @@ pub fn arguments(stage: &str, names: &[&str]) -> Vec<String> {
     let words = "--test exercises --profile test --message-format json-render-diagnostics";
     let words = format!("rustc --package {stage} {words}");
     // The stages' profile optimises the check of a file, too, which takes longer than all its answers.
-    let own = "-- --cfg learn -A unused -C opt-level=0";
+    let own = "-- -A unused -C opt-level=0";
     let names = names.iter().flat_map(|name| ["--cfg", name]);
     let all = words.split(' ').chain(own.split(' '));
     let all = all.chain([&*prefix]).chain(names);

@@ -1,5 +1,5 @@
 //! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
-//! with locked ones, [`exercises!`] proves the exercises and judges students' files, [`Random`] gives random
+//! with locked ones, [`exercises!`] judges students' files, [`Random`] gives random
 //! inputs, [`assert_refused`] checks the error of a constructor, and `display` is for tests of the window.
 //!
 //! Only tests depend on this crate, so that no program contains test code. Its checks
@@ -20,6 +20,6 @@ pub mod picture_lock;
 mod random;
 mod refusal;
 
-pub use exercises::{assert_close, is_starter, missing};
+pub use exercises::{assert_close, missing};
 pub use random::{Random, for_seeds};
 pub use refusal::assert_refused;

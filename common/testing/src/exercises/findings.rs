@@ -1,6 +1,5 @@
 //! `Findings`: the answers and the picture of an exercise with code in it.
 
-use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
@@ -11,7 +10,6 @@ use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
 use exercise::{Answer, Painted, Record, Row, StudentAnswer, Verdict, verdict};
 
-use super::assertion::is_rounding;
 use super::exercise::{AnswerTo, Exercise, Picture, own_settings};
 use super::folder::StageFolder;
 use super::hang::note;
@@ -38,7 +36,6 @@ pub struct Findings {
 pub enum Reader {
     Student,
     Grader,
-    Author,
 }
 
 /// The comparison of a picture with the lesson's.
@@ -61,14 +58,6 @@ impl Exercise<()> {
             rows.push(Row::new(&asked.question, &code));
         }
         rows
-    }
-
-    /// Whether a part of its code is missing.
-    #[must_use]
-    pub fn is_unfinished(&self) -> bool {
-        take_missing();
-        self.given();
-        !take_missing().is_empty()
     }
 
     /// Its answers to all questions.
@@ -94,8 +83,7 @@ impl Exercise<()> {
     ) -> Findings {
         take_missing();
         note("an example at the end of the file");
-        let example = catch_unwind(examples);
-        let example_fails = example.is_err_and(|panic| !is_rounding(&message(&*panic)));
+        let example_fails = catch_unwind(examples).is_err();
         let given = self.given();
         // Then an example and the picture panic, too, and the questions say where.
         let panics = given.iter().any(|given| given.answer.is_none());
@@ -107,12 +95,10 @@ impl Exercise<()> {
         let compared = record.map(|record| verdict(record, &given));
         let mut verdict = compared.unwrap_or_default();
         let missing = take_missing();
-        let is_right = verdict.wrong.is_empty() && missing.is_empty();
         let mut image = None;
         note("the picture");
         let paint = || match &self.picture {
-            // The author looks at no wrong picture, and unfinished code has none of a scene.
-            _ if !is_right && reader == Reader::Author => Ok(None),
+            // Unfinished code has none of a scene.
             Picture::Scene(name, render) if missing.is_empty() => {
                 let render = |settings: &Settings| render(&(), settings);
                 compare_scene(folder, name, reader, &render, &mut image).map(Some)
@@ -153,12 +139,6 @@ impl Exercise<()> {
 /// The answer to a question of these numbers; none if the code panics.
 pub fn answer_of(answer: &AnswerTo<()>, numbers: &[f64]) -> Option<Answer> {
     catch_unwind(AssertUnwindSafe(|| answer(&(), numbers))).ok()
-}
-
-/// The message of a panic.
-fn message(panic: &(dyn Any + Send)) -> String {
-    let words = panic.downcast_ref::<String>().cloned();
-    words.unwrap_or_else(|| panic.downcast_ref().copied().unwrap_or("").to_owned())
 }
 
 /// Renders a scene of the stage with the student's code, and compares the picture with the locked

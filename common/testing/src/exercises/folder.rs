@@ -112,17 +112,17 @@ impl StageFolder {
         }
     }
 
-    /// The lesson's picture of a scene with few samples, and the file in which it is recorded; none
-    /// of a scene whose picture is the one in the book.
-    pub(super) fn recorded_picture(&self, scene: &str) -> Result<Option<(PathBuf, Image)>, Error> {
+    /// Saves the lesson's picture of a scene with few samples, unless it is the one in the book.
+    pub(super) fn record_picture(&self, scene: &str) -> Result<(), Error> {
         let stage = self.stage();
         let scene = stage.scene(scene)?;
         let settings = Self::settings(&scene);
         if settings.samples == scene.defaults.samples {
-            return Ok(None);
+            return Ok(());
         }
         let file = format!("exercises/answers/{}-{}.png", stage.name, scene.name);
         let image = scene.render(&settings, &())?;
-        Ok(Some((self.folder.join(file), image)))
+        let file = self.folder.join(file);
+        picture_file::save_png(&file, image.size(), &image.to_rgb8(Transfer::Linear))
     }
 }

@@ -1,6 +1,6 @@
 //! `missing`: parts of a starter that are left to the student.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::panic::Location;
 
 /// A part that is left to the student.
@@ -15,23 +15,6 @@ pub struct Missing {
 thread_local! {
     /// The parts that code on this thread has found missing. Questions are asked on one thread.
     static MISSING: RefCell<Vec<Missing>> = RefCell::default();
-    /// Whether code on this thread runs without these parts.
-    static IS_STARTER: Cell<bool> = const { Cell::new(false) };
-}
-
-/// Whether a solution is the starter just now: so both are compiled at once.
-#[must_use]
-pub fn is_starter() -> bool {
-    IS_STARTER.get()
-}
-
-/// Runs solutions as starters, which lack the code that is left to the student.
-#[cfg(not(target_family = "wasm"))]
-pub(crate) fn as_starter<T>(run: impl FnOnce() -> T) -> T {
-    IS_STARTER.set(true);
-    let ran = run();
-    IS_STARTER.set(false);
-    ran
 }
 
 /// The parts that were found missing since the last call.

@@ -8,8 +8,8 @@ use std::sync::Mutex;
 
 use exercise::{BEGUN, MARK, Mode, Record, SECONDS, WORDS_MARK, print_answers};
 
-use super::assertion::is_rounding;
 use super::corpus::ask_corpus;
+use super::exercise::{Exercise, Picture};
 use super::findings::Reader;
 use super::folder::StageFolder;
 use super::hang::name_hang;
@@ -23,7 +23,9 @@ pub fn judge(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
     if let Some(entry) = entry {
         return judge_entry(folder, &entry);
     }
-    say(&format!("this program has no exercise {name:?}"));
+    say(&format!(
+        "this program has no exercise {name:?}: `cargo learn` builds it for one, and `cargo course prove` for all"
+    ));
     ExitCode::FAILURE
 }
 
@@ -36,9 +38,6 @@ fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
     let is_begun = folder.is_begun(name);
     let lines = Mutex::new(BTreeSet::new());
     panic::set_hook(Box::new(move |panic| {
-        if panic.payload_as_str().is_some_and(is_rounding) {
-            return;
-        }
         let line = panic.location().map_or(0, Location::line);
         // A line may panic for each input, and in each row of a picture.
         if is_begun && lines.lock().is_ok_and(|mut lines| lines.insert(line)) {
@@ -67,10 +66,9 @@ fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
     };
     let is_printed = mode.prints_answers();
     if let Some(question) = record.unanswered().filter(|_| !is_printed) {
-        let stage = folder.stage().name;
         say(&format!(
             "the question {} has no answer yet, which this records: \
-             INSTA_UPDATE=always cargo test -p {stage} --test exercises -- {name}",
+             INSTA_UPDATE=always cargo course prove {name}",
             question.arguments
         ));
     }
@@ -103,6 +101,7 @@ fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
         print!("{}", print_answers(&found.given, found.painted.as_ref()));
     }
     if mode == Mode::Mistake {
+        record_picture(folder, &exercise);
         let rows = exercise.rows();
         let record = Record {
             rows,
@@ -112,6 +111,17 @@ fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
         print!("{MARK}{record}");
     }
     ExitCode::from(u8::from(!found.verdict.wrong.is_empty()))
+}
+
+/// Where the author records, saves the picture of a scene with few samples, with which checks compare.
+fn record_picture(folder: &StageFolder, exercise: &Exercise<()>) {
+    let records = env::var("INSTA_UPDATE").is_ok_and(|update| update == "always");
+    let Picture::Scene(scene, _) = &exercise.picture else {
+        return;
+    };
+    if records && let Err(error) = folder.record_picture(scene) {
+        say(&format!("the picture of scene {scene}: {error}"));
+    }
 }
 
 /// The words about a panic of a student's code, which may happen in a library.
