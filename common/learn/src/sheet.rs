@@ -6,6 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ::sheet::{Facts, Judgement, NAMES, Sheet, judge};
+use clap::ArgGroup;
 use common::text;
 
 use crate::build::{Build, build_own};
@@ -22,13 +23,17 @@ const NONE: &str = "this workbook has no sheets; they follow the last stage";
 
 /// Lists the open sheets, shows what one asks for, or judges your program by its pictures
 #[derive(clap::Args)]
+#[command(group(ArgGroup::new("judged").args(["folder", "program"]).multiple(true)))]
 pub struct Command {
     /// A sheet [default: lists all]
     name: Option<String>,
     /// The folder of your program, which is built and asked for the pictures of the sheet
     folder: Option<PathBuf>,
+    /// Starts a program in another language by these words, in the folder [default: this one], instead of a build
+    #[arg(long, value_name = "WORDS", requires = "name")]
+    program: Option<String>,
     /// Asks all facts, also after one that fails
-    #[arg(long, requires = "folder")]
+    #[arg(long, requires = "judged")]
     all: bool,
 }
 
@@ -44,15 +49,21 @@ impl Command {
             };
         };
         let sheet = find(&sheets, name)?;
-        match &self.folder {
-            None => Ok(Screen::new().wrap(&about(sheet))),
-            Some(folder) => {
-                let facts = if self.all {
-                    Facts::All
-                } else {
-                    Facts::UntilOneFails
-                };
-                judge_own_program(sheet, folder, facts)
+        let facts = if self.all {
+            Facts::All
+        } else {
+            Facts::UntilOneFails
+        };
+        match (&self.folder, &self.program) {
+            (None, None) => Ok(Screen::new().wrap(&about(sheet))),
+            (Some(folder), None) => match built(sheet, folder)? {
+                Some(executable) => judge_own_program(sheet, folder, &[executable], facts),
+                None => Ok(String::new()),
+            },
+            (folder, Some(words)) => {
+                let words: Vec<_> = words.split_whitespace().map(str::to_owned).collect();
+                let folder = folder.as_deref().unwrap_or(Path::new("."));
+                judge_own_program(sheet, folder, &words, facts)
             }
         }
     }
@@ -151,26 +162,41 @@ fn about(sheet: &Sheet) -> String {
     lines.join("\n")
 }
 
-/// Builds the program, asks its pictures the facts, and prints what they say. The last words count the facts.
-fn judge_own_program(sheet: &Sheet, folder: &Path, facts: Facts) -> Result<String, String> {
+/// Builds the program in a folder; none if a person stops it.
+fn built(sheet: &Sheet, folder: &Path) -> Result<Option<String>, String> {
     let shown = text::path(folder);
     if !folder.join(MANIFEST).is_file() {
         return Err(format!(
             "{shown} has no {MANIFEST}: it is not the folder of your program, which `cargo new` has made"
         ));
     }
-    let screen = Screen::new();
-    let executable = match build_own(folder, screen.space(), &mut told(""))? {
-        Build::Program(program) => PathBuf::from(program),
+    match build_own(folder, Screen::new().space(), &mut told(""))? {
+        Build::Program(program) => Ok(Some(program)),
         Build::Failed(printed) => {
             print(&printed)?;
-            return Err(format!("{}: {shown} does not compile", sheet.name));
+            Err(format!("{}: {shown} does not compile", sheet.name))
         }
-        Build::Stopped => return Ok(String::new()),
+        Build::Stopped => Ok(None),
+    }
+}
+
+/// Asks the pictures of a program the facts, and prints what they say. The last words count the facts.
+fn judge_own_program(
+    sheet: &Sheet,
+    folder: &Path,
+    words: &[String],
+    facts: Facts,
+) -> Result<String, String> {
+    let [executable, arguments @ ..] = words else {
+        return Err(
+            "--program needs the words that start it, such as \"python3 my.py\"".to_owned(),
+        );
     };
+    let screen = Screen::new();
     let pictures = format!("out/sheets/{}", sheet.name);
     let program = OwnProgram {
-        executable,
+        executable: executable.into(),
+        arguments: arguments.to_vec(),
         folder: folder.to_owned(),
         pictures: files::shortest(&pictures),
         environment: Vec::new(),

@@ -171,6 +171,8 @@ fn each_program_gets_a_sentence() {
         assert!(printed.contains(words), "{words}: {printed}");
     }
 
+    words_start_a_program();
+
     for (mistake, words) in [
         (
             "another place",
@@ -238,6 +240,19 @@ fn each_program_gets_a_sentence() {
         printed.contains("glass: mine does not compile"),
         "{printed}"
     );
+}
+
+/// Words start a program in any language, and further ones stand before the scene.
+fn words_start_a_program() {
+    for (words, says) in [
+        ("target/release/mine", "2 of 2 facts hold"),
+        ("target/release/mine further", "the program panics"),
+        ("no-such-program my.py", "no-such-program"),
+        (" ", "such as \"python3 my.py\""),
+    ] {
+        let (printed, _) = learn(&["glass", "mine", "--program", words], "");
+        assert!(printed.contains(says), "{words}: {printed}");
+    }
 }
 
 /// A program that needs too much memory, and one that leaves a child, which holds a lock.

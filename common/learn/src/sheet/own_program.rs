@@ -14,8 +14,10 @@ use ::sheet::{Drawn, MARKED, Picture, Run, last_words, no_picture};
 
 /// The student's program.
 pub struct OwnProgram {
-    /// The file that runs.
+    /// The file that runs, or a name that the system finds.
     pub executable: PathBuf,
+    /// Its words before the scene.
+    pub arguments: Vec<String>,
     /// Its folder, in which it runs.
     pub folder: PathBuf,
     /// Where its pictures are kept.
@@ -40,6 +42,7 @@ impl OwnProgram {
         }
         let with_program = with_path(&self.executable);
         let mut program = limited(&self.executable);
+        program.args(&self.arguments);
         program.args([&*of.scene, "--samples", &of.samples.to_string(), "-o"]);
         program.arg(whole).current_dir(&self.folder);
         let (output, to_output) = io::pipe().map_err(&with_program)?;

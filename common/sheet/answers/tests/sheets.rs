@@ -63,6 +63,7 @@ fn judged<'a>(sheet: &'a Sheet, variant: &str, seed: u32, facts: Facts) -> Judge
         executable: env!("CARGO_BIN_EXE_sheet-answers").into(),
         folder: env!("CARGO_MANIFEST_DIR").into(),
         pictures: folder.join(&sheet.name).join(format!("{variant}-{seed}")),
+        arguments: Vec::new(),
         environment: vec![("VARIANT", variant.to_owned()), ("SEED", seed.to_string())],
     };
     program.judge(sheet, facts).unwrap()
