@@ -4,8 +4,7 @@ use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::sensitivity::{Footprint, NumberPlace};
-use crate::{Color, Error, Image, PixelTrace, Progress, Settings};
+use crate::{Color, Error, Image, PixelTrace, Progress, SceneNumber, Settings};
 
 /// A function that paints a picture with these settings.
 pub type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
@@ -48,13 +47,24 @@ pub trait Traced: Any + Send + Sync {
 
     /// The numbers of the scene file in the order of its text, with colours in bytes as pictures with
     /// the transfer of the settings have them; none if it is no scene of a file.
-    fn numbers(&self, settings: &Settings) -> Option<Vec<NumberPlace>>;
+    fn numbers(&self, settings: &Settings) -> Option<Vec<SceneNumber>>;
 
-    /// The same scene with other values of some numbers of its file; none if one is not allowed.
-    fn with(&self, settings: &Settings, values: &[(&NumberPlace, f64)]) -> Option<Box<dyn Traced>>;
+    /// The same scene with another value of a number of its file; none if it is not allowed.
+    fn with(
+        &self,
+        settings: &Settings,
+        number: &SceneNumber,
+        value: f64,
+    ) -> Option<Box<dyn Traced>>;
 
-    /// How large a pixel is where its objects are; without one, a pixel of the picture.
-    fn footprint(&self, settings: &Settings, pixel: Option<[u32; 2]>) -> Result<Footprint, Error>;
+    /// By how much a number is moved so that the things in a pixel move by about its width; without
+    /// a pixel, those of the picture. A colour or a factor moves by a fraction of itself.
+    fn pixel_step(
+        &self,
+        settings: &Settings,
+        number: &SceneNumber,
+        pixel: Option<[u32; 2]>,
+    ) -> Result<f64, Error>;
 }
 
 /// A picture of a stage, under the name that the course gives it. A copy shares the code.

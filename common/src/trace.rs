@@ -1,7 +1,5 @@
-//! What a ray did: the steps behind a pixel, the first one at which two traces part, and how the pixel
-//! changes with the numbers of its scene.
+//! What a ray did: the steps behind a pixel, and the first one at which two traces part.
 
 pub mod divergence;
 pub mod pixel_trace;
-pub mod sensitivity;
 pub mod steps;

@@ -2,9 +2,9 @@
 
 use std::any::Any;
 
-use common::sensitivity::{Footprint, NumberPlace};
 use common::{
-    ArgumentError, Color, Edits, Error, Image, PixelTrace, Progress, Scene, Settings, Size, Traced,
+    ArgumentError, Color, Edits, Error, Image, PixelTrace, Progress, Scene, SceneNumber, Settings,
+    Size, Traced,
 };
 
 use super::registry::NumberedFile;
@@ -61,24 +61,47 @@ impl Traced for Views {
         Ok(self.view(settings)?.trace(settings, pixel))
     }
 
-    fn numbers(&self, settings: &Settings) -> Option<Vec<NumberPlace>> {
+    fn numbers(&self, settings: &Settings) -> Option<Vec<SceneNumber>> {
         match self {
             Self::Code(_) => None,
             Self::File(file) => Some(file.numbers(settings)),
         }
     }
 
-    fn with(&self, settings: &Settings, values: &[(&NumberPlace, f64)]) -> Option<Box<dyn Traced>> {
+    fn with(
+        &self,
+        settings: &Settings,
+        number: &SceneNumber,
+        value: f64,
+    ) -> Option<Box<dyn Traced>> {
         match self {
             Self::Code(_) => None,
             Self::File(file) => {
-                let moved = file.with(settings, values)?;
+                let moved = file.with(settings, number, value)?;
                 Some(Box::new(Self::File(Box::new(moved))))
             }
         }
     }
 
-    fn footprint(&self, settings: &Settings, pixel: Option<[u32; 2]>) -> Result<Footprint, Error> {
-        Ok(self.view(settings)?.footprint(settings.size, pixel))
+    fn pixel_step(
+        &self,
+        settings: &Settings,
+        number: &SceneNumber,
+        pixel: Option<[u32; 2]>,
+    ) -> Result<f64, Error> {
+        let footprint = self.view(settings)?.footprint(settings.size, pixel);
+        let step = footprint.step(number);
+        let Self::File(file) = self else {
+            return Ok(step);
+        };
+        if number.table != "[camera]" {
+            return Ok(step);
+        }
+        let little = step / 1024.0;
+        let moved = file.with(settings, number, number.value + little);
+        Ok(match moved.and_then(|moved| moved.view(settings).ok()) {
+            Some(view) => step.min(little * footprint.camera_steps(settings.size, &view)),
+            None => step,
+        })
     }
 }

@@ -14,7 +14,6 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::View;
 use a03_rays_cameras::registry::{Format, read_camera};
 use common::{ArgumentError, Color};
-use glam::DVec3;
 use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{AxisAlignedBox, Geometry, Hit, Plane, Sphere, Triangle, World};
@@ -54,11 +53,6 @@ impl ShapeKind for Plane {
     fn for_engine(&self) -> Option<engine::Shape<'static>> {
         Some(engine::Shape::Plane((*self).into()))
     }
-
-    /// Its horizon.
-    fn add_margins(&self, _: DVec3, d: DVec3, margins: &mut Vec<f64>) {
-        margins.push(d.dot(self.n.to_glam()));
-    }
 }
 
 impl From<Plane> for engine::Plane {
@@ -87,17 +81,6 @@ impl ShapeKind for AxisAlignedBox {
             max: self.run,
         }))
     }
-
-    /// The lines of its twelve edges, on each of which two faces meet.
-    fn add_margins(&self, o: DVec3, d: DVec3, margins: &mut Vec<f64>) {
-        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
-            for face_a in [self.lbf[a], self.run[a]] {
-                for face_b in [self.lbf[b], self.run[b]] {
-                    margins.push((face_a - o[a]) * d[b] - (face_b - o[b]) * d[a]);
-                }
-            }
-        }
-    }
 }
 
 impl ShapeKind for Triangle {
@@ -124,12 +107,6 @@ impl ShapeKind for Triangle {
             geometric_normal: self.geometric_normal.to_glam(),
             scale: self.scale,
         }))
-    }
-
-    /// The lines of its three edges.
-    fn add_margins(&self, o: DVec3, d: DVec3, margins: &mut Vec<f64>) {
-        let [a, b, c] = self.corners.map(|corner| corner.to_glam() - o);
-        margins.extend([a.cross(b), b.cross(c), c.cross(a)].map(|edge| edge.dot(d)));
     }
 }
 
@@ -162,13 +139,6 @@ impl ShapeKind for Sphere {
             center: self.c.to_glam(),
             radius: self.r,
         }))
-    }
-
-    /// Its outline, by the distance of its centre from the ray.
-    fn add_margins(&self, o: DVec3, d: DVec3, margins: &mut Vec<f64>) {
-        let f = o - self.c.to_glam();
-        let l = f - d * (f.dot(d) / d.dot(d));
-        margins.push(self.r * self.r - l.dot(l));
     }
 }
 

@@ -7,7 +7,7 @@
 mod light_row;
 mod material_row;
 
-use a02_math::{Direction, Point3, Vector3};
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::View;
 use a03_rays_cameras::registry::{Format, read_camera};
 use a04_intersections::registry::{ALL_SHAPES, Shapes, Values};
@@ -15,7 +15,7 @@ use common::Color;
 use scene_file::{Error, FirstMistake, Item, SceneFile, exact_angle};
 
 use crate::{
-    DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
+    DirectionalLight, Lambert, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
 pub use light_row::{LightKind, LightRow, Lights};
 pub use material_row::{MaterialKind, MaterialRow, Materials};
@@ -77,12 +77,6 @@ impl LightKind for SpotLight {
         values.push(("direction", self.direction.to_glam().to_array().into()));
         values.push(("half_angle", vec![half_angle]));
         values
-    }
-
-    /// The cosine between its axis and the direction to the point, beyond that of the edge.
-    fn margin(&self, point: Point3) -> Option<f64> {
-        let light = self.source.illumination(point)?;
-        Some((-light.direction).dot(self.direction) - self.cos_half_angle)
     }
 
     fn for_engine(&self) -> Option<engine::Emitter<'static>> {

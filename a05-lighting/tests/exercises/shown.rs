@@ -62,7 +62,7 @@ impl<P: Clone + Sync + 'static> Lit<P> {
     fn rendered(&self, light_at: &LightAt<P>, settings: &Settings) -> Result<Image, Error> {
         shaded((self.view)()?, settings, |diffuse, ray, hit, world| {
             let light = light_at(self.light.clone(), ray.at(hit.t));
-            push_light(1, self.name, light, None);
+            push_light(1, self.name, light);
             let received = ReceivedLight {
                 ambient: world.ambient(),
                 lights: light.into_iter().collect(),

@@ -14,7 +14,7 @@ use a04_intersections::registry::{
 use a06_shadows_reflection::registry::read_view;
 use common::pixel_trace::digits;
 use common::steps::{self, StepKind};
-use glam::{DMat4, DVec3};
+use glam::DMat4;
 use scene_file::{Error, Item};
 
 use crate::{Disc, Mat4x4, Node, Transform, traced};
@@ -55,16 +55,6 @@ impl ShapeKind for Disc {
             plane: self.plane.into(),
             radius: self.r,
         }))
-    }
-
-    /// The horizon of its plane and its outline: how far from its centre the ray meets the plane,
-    /// multiplied by the cosine so that it is smooth.
-    fn add_margins(&self, o: DVec3, d: DVec3, margins: &mut Vec<f64>) {
-        let n = self.plane.normal().to_glam();
-        let (f, cosine) = (o - self.c.to_glam(), d.dot(n));
-        let from_centre = f * cosine - d * f.dot(n);
-        let r = self.r * cosine;
-        margins.extend([cosine, r * r - from_centre.dot(from_centre)]);
     }
 }
 

@@ -17,6 +17,5 @@ mod scales;
 mod scene_cases;
 mod scene_files;
 mod schema;
-mod sensitivity;
 mod work;
 mod written_texts;

@@ -98,9 +98,10 @@ fn the_sign_of_a_zero_changes_no_picture_of_the_book() {
         let mesh = |name: &str| Mesh::read(&fs::read(path.with_file_name(name)).unwrap());
         let file = FORMAT.read(&text, &mesh).unwrap();
         let numbers = file.numbers(&text);
-        let zeros = numbers.iter().filter(|number| number.value == 0.0);
-        let negated: Vec<_> = zeros.map(|number| (number, -0.0)).collect();
-        let negated = file.with(Transfer::default(), &negated).unwrap();
+        let mut negated = FORMAT.read(&text, &mesh).unwrap();
+        for number in numbers.iter().filter(|number| number.value == 0.0) {
+            negated = negated.with(Transfer::default(), number, -0.0).unwrap();
+        }
         for renderer in [Renderer::Lesson, Renderer::Engine] {
             let pictures = [&file, &negated].map(|file| {
                 let (settings, view) = FORMAT.scene(file).unwrap();

@@ -22,7 +22,8 @@ live.Influences = class {
             ' ',
             live.button('close', () => this.close()),
         ];
-        const hint = 'The change of the pixel’s linear light for a change of the number by 1, one degree for an angle. At an edge it jumps instead.';
+        const hint = 'Each number is moved to both sides, until things have moved by half a pixel; the list begins with what changes the pixel most. '
+            + 'A slope is the change of linear light by 1, or by one degree of an angle. ± is what two steps, one twice the other, leave unsure. Drag a number, and see.';
         this.root = live.panel('Which number makes this pixel?', hint,
             live.div('live-controls', 'column ', this.places[0], ' row ', this.places[1]),
             this.list, this.rest, ...buttons);
@@ -77,19 +78,16 @@ live.Influences = class {
             }
             // By one ray through the middle: with more of them, an answer would take seconds.
             const given = [...numbers.settings({ samples: 1, sampling: 0 }), ...pixel, first, live.Influences.together];
-            const { kinds, changes, distances } = await numbers.ask('influences', given);
+            const { kinds, changes, errors, places, strengths } = await numbers.ask('responses', given);
             kinds.forEach((kind, i) => {
                 const change = changes.slice(3 * i, 3 * i + 3);
-                const largest = Math.max(...change.map(Math.abs));
-                found.push({ index: first + i, kind, change, largest, distance: distances[i] });
+                found.push({ index: first + i, kind, change, error: errors[i], place: places[i], strength: strengths[i] });
             });
         }
         if (isOld()) {
             return;
         }
-        const isEdge = ({ kind }) => Number(kind === 2);
-        const strongest = found.filter(({ kind }) => kind > 0)
-            .toSorted((a, b) => isEdge(b) - isEdge(a) || b.largest - a.largest);
+        const strongest = found.filter(({ kind }) => kind > 0).toSorted((a, b) => b.strength - a.strength);
         if (isFirst) {
             this.show(strongest, all);
         } else {
@@ -104,12 +102,14 @@ live.Influences = class {
         this.sliders = [];
         this.list.replaceChildren(...few.map((line) => this.item(strongest.filter(({ index }) => all[index].line === line), all)));
         const weaker = this.lines.length - few.length;
-        const others = all.length - strongest.length;
+        // A whole number, such as that of copies, has no small step.
+        const moved = all.filter(({ unit }) => unit !== 'whole').length;
+        const others = moved - strongest.length;
         this.rest.textContent = `${weaker ? `${weaker} more lines change it less. ` : ''}${others} numbers do not change it.`;
         this.strongest = strongest;
         this.markLines(all);
         const [column, row] = this.pixel;
-        const begin = `Pixel ${column}, ${row}: ${strongest.length} of ${all.length} numbers change it.`;
+        const begin = `Pixel ${column}, ${row}: ${strongest.length} of ${moved} numbers change it.`;
         if (strongest.length === 0) {
             this.editor.said.value = begin;
             return;
@@ -130,19 +130,25 @@ live.Influences = class {
     }
 
     // What a number does, in words.
-    static words({ kind, change, distance }, { unit }) {
-        const [r, g, b] = change.map((x) => (x > 0 ? '+' : '') + live.show(Number(x.toPrecision(3))));
+    static words({ kind, change, error, place }, { unit }) {
+        if (kind === 0) {
+            return 'no change';
+        }
+        // A slope ends with the digit that is unsure, at the latest with the sixth one.
+        const largest = Math.max(...change.map(Math.abs));
+        const unsure = kind === 1 ? Math.max(error, 1e-6 * largest) : 0.01 * largest;
+        const decimals = Math.min(Math.max(-Math.floor(Math.log10(unsure)), 0), 100);
+        const [r, g, b] = change.map((x) => (x > 0 ? '+' : '') + live.show(Number(x.toFixed(decimals))));
         const named = [['red', r], ['green', g], ['blue', b]].filter(([, x]) => Number(x) !== 0);
         const channels = r === g && g === b ? r : named.map((part) => part.join(' ')).join(', ');
         if (kind === 2) {
-            const at = Math.abs(distance) > 0 ? `${live.show(Number(distance.toPrecision(2)))} away` : 'here';
-            return `an edge ${at}, where the pixel jumps by ${channels}`;
+            return `it jumps at ${live.show(place)}, by ${channels}`;
         }
-        if (kind > 3) {
-            return `${kind === 4 ? 'a turning point' : 'an unknown slope'}: half a pixel changes it by ${channels}`;
+        if (kind === 3) {
+            return `no slope: at ${live.show(place)} it has changed by ${channels}`;
         }
-        const per = unit === 'degree' ? 'per degree' : 'per 1';
-        return kind === 0 ? 'no change' : `${channels} ${per}${kind === 3 ? ', on one side' : ''}`;
+        const most = Math.ceil(unsure * 10 ** decimals) / 10 ** decimals;
+        return `${channels} ± ${live.show(most)} ${unit === 'degree' ? 'per degree' : 'per 1'}`;
     }
 
     // A line of the file, with sliders on its numbers.

@@ -25,7 +25,7 @@ type Answered = Result<Answer, Error>;
 /// settings and a pixel as numbers, `measure` and a request to the measurement of error against run time, `extremes STAGE`,
 /// `sweeps`, `sweep NAME` with a power of ten, `work`, `done` or `timed` and a picture, `pictures`, or the name of a figure
 /// with its numbers. The text of a scene file is a picture, too, behind a line `file`; `numbers`,
-/// `influences` and `changes` take no other picture. An error is a sentence for the reader.
+/// `responses` and `changes` take no other picture. An error is a sentence for the reader.
 pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
     let answer = match request.split_once(' ') {
         Some(("render", name)) => picture::render(name, numbers),
@@ -33,7 +33,7 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         Some(("trace", name)) => picture::trace(name, numbers),
         Some(("drawing", name)) => picture::drawing(name, numbers),
         Some(("numbers", name)) => sensitivity::numbers(name),
-        Some(("influences", name)) => sensitivity::influences(name, numbers),
+        Some(("responses", name)) => sensitivity::responses(name, numbers),
         Some(("changes", name)) => sensitivity::changes(name, numbers),
         Some(("about", name)) => picture::about(name),
         Some(("measure", request)) => measuring::answer(request, numbers),

@@ -1,20 +1,22 @@
-//! The numbers of the scene file that a reader writes on the page: how a pixel changes with them, and
+//! The numbers of the scene file that a reader writes on the page: how a pixel answers them, and
 //! which pixels change with one of them.
+
+mod response;
 
 use std::cell::RefCell;
 
-use common::sensitivity::{self, Channels, Influence, NumberPlace, Response, Unit};
-use common::{Color, Error, Image, Scene, Settings};
+use common::{Color, Error, Image, Scene, SceneNumber, Settings, Unit};
 use page::settings;
 
 use crate::catalogue::FILE;
 use crate::{Answer, Answered, file};
+use response::{Response, response};
 
 /// A file whose text a page has sent, so that it is read once for many requests about it.
 struct Opened {
     text: String,
     scene: Scene,
-    numbers: Vec<NumberPlace>,
+    numbers: Vec<SceneNumber>,
     /// The last pictures that were asked for, and their settings.
     pictures: Vec<(Settings, Image)>,
 }
@@ -42,17 +44,36 @@ impl Opened {
     fn moved(
         &self,
         settings: &Settings,
-        number: &NumberPlace,
+        number: &SceneNumber,
     ) -> Result<Option<(f64, Image)>, Error> {
         let rays = self.scene.rays()?;
-        let reach = rays.footprint(settings, None)?.reach(number, 1.0);
-        for step in [reach, -reach, reach / 64.0, -reach / 64.0] {
-            let moved = rays.with(settings, &[(number, number.value + step)]);
+        let step = rays.pixel_step(settings, number, None)?;
+        for step in [step, -step, step / 64.0, -step / 64.0] {
+            let moved = rays.with(settings, number, number.value + step);
             if let Some(Ok(image)) = moved.map(|moved| moved.render(settings, &())) {
                 return Ok(Some((step, image)));
             }
         }
         Ok(None)
+    }
+
+    /// How a pixel answers a number that moves things by up to half a pixel, and the largest change.
+    fn response(
+        &self,
+        settings: &Settings,
+        number: &SceneNumber,
+        pixel: [u32; 2],
+    ) -> Result<(Response, f64), Error> {
+        if number.unit == Unit::Whole {
+            return Ok((Response::None, 0.0));
+        }
+        let rays = self.scene.rays()?;
+        let step = rays.pixel_step(settings, number, Some(pixel))? / 2.0;
+        Ok(response(number.value, step, &|value| {
+            let moved = rays.with(settings, number, value)?;
+            let color = moved.color(settings, pixel).ok()?;
+            color.is_finite().then(|| color.channels())
+        }))
     }
 }
 
@@ -87,14 +108,14 @@ pub fn numbers(picture: &str) -> Answered {
     with_file(picture, |Opened { text, numbers, .. }| {
         let names = numbers
             .iter()
-            .map(|NumberPlace { table, key, .. }| format!("{table}\t{key}"));
+            .map(|SceneNumber { table, key, .. }| format!("{table}\t{key}"));
         let names: Vec<_> = names.collect();
         let units_before = |at: usize| {
             let before = text.get(..at).unwrap_or(text);
             before.encode_utf16().count() as f64
         };
         let list =
-            |value: &dyn Fn(&NumberPlace) -> f64| numbers.iter().map(value).collect::<Vec<_>>();
+            |value: &dyn Fn(&SceneNumber) -> f64| numbers.iter().map(value).collect::<Vec<_>>();
         Ok(Answer::text(names.join("\n"))
             .with("lines", list(&|number| number.line as f64))
             .with("starts", list(&|number| units_before(number.bytes.start)))
@@ -118,9 +139,10 @@ fn unit(unit: Unit) -> f64 {
     }
 }
 
-/// How a pixel changes with some of the numbers of a file. Behind the settings stand the pixel, the
-/// index of the first number, and how many.
-pub fn influences(picture: &str, given: &[f64]) -> Answered {
+/// How a pixel answers some of the numbers of a file. Behind the settings stand the pixel, the index
+/// of the first number, and how many. The kind of an answer is 0 for none, 1 for a slope, 2 for a jump and 3
+/// for a change without a slope; its channels stand in `changes`.
+pub fn responses(picture: &str, given: &[f64]) -> Answered {
     with_file(picture, |opened| {
         let settings = settings(&opened.scene.defaults, given)?;
         let &[column, row, first, count] = given.get(10..14).unwrap_or_default() else {
@@ -129,41 +151,30 @@ pub fn influences(picture: &str, given: &[f64]) -> Answered {
             ));
         };
         let rest = opened.numbers.get(first as usize..).unwrap_or_default();
-        let some = &rest[..rest.len().min(count as usize)];
         let pixel = [column as u32, row as u32];
-        let rays = opened.scene.rays()?;
-        let influences = sensitivity::influences(rays, &settings, pixel, some, &())?;
-        let answers = influences.iter().map(influence);
-        let (kinds, changes): (Vec<_>, Vec<_>) = answers.unzip();
+        let [mut kinds, mut changes, mut strengths] = [const { Vec::new() }; 3];
+        let [mut errors, mut places] = [const { Vec::new() }; 2];
+        for number in rest.iter().take(count as usize) {
+            let (response, strength) = opened.response(&settings, number, pixel)?;
+            let (kind, channels, error, place) = match response {
+                Response::None => (0.0, [0.0; 3], 0.0, 0.0),
+                Response::Slope { slope, error } => (1.0, slope, error, 0.0),
+                Response::Jump { at, jump } => (2.0, jump, 0.0, at),
+                Response::Bend { at, change } => (3.0, change, 0.0, at),
+            };
+            kinds.push(kind);
+            changes.extend(channels);
+            errors.push(error);
+            places.push(place);
+            strengths.push(strength);
+        }
         Ok(Answer::default()
             .with("kinds", kinds)
-            .with("changes", changes.into_iter().flatten())
-            .with("distances", influences.iter().map(distance)))
+            .with("changes", changes)
+            .with("errors", errors)
+            .with("places", places)
+            .with("strengths", strengths))
     })
-}
-
-/// The kind of a response: 0 none, 1 a slope, 2 an edge, 3 a kink, 4 a turning point, 5 an unknown
-/// slope. Then its channels: the slope, the jump, the steeper slope of a kink, or the change by half a
-/// pixel.
-fn influence(influence: &Influence) -> (f64, Channels) {
-    let largest = |channels: Channels| channels.into_iter().map(f64::abs).fold(0.0, f64::max);
-    match &influence.response {
-        Response::None | Response::Whole | Response::Fixed(_) => (0.0, [0.0; 3]),
-        Response::Smooth { slope, .. } => (1.0, *slope),
-        Response::Edge(edge) => (2.0, edge.jump),
-        Response::Kink { below, above } if largest(*below) > largest(*above) => (3.0, *below),
-        Response::Kink { above, .. } => (3.0, *above),
-        Response::Turning { half_pixel, .. } => (4.0, *half_pixel),
-        Response::Unknown(half_pixel) => (5.0, *half_pixel),
-    }
-}
-
-/// How far an edge is from the number; 0 where there is none.
-fn distance(influence: &Influence) -> f64 {
-    match &influence.response {
-        Response::Edge(edge) => edge.distance,
-        _ => 0.0,
-    }
 }
 
 /// How much each pixel of the picture changes when a number moves by a step that moves things by about

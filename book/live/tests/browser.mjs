@@ -222,6 +222,19 @@ async function tryNumbers() {
     const all = await chromium.value(`live.editor.influences.strongest.map(({ index }) => live.editor.numbers.listed.numbers[index].table)`);
     expect(all.includes('[[sphere]] #1') && !all.includes('[[box]] #1'), `the sphere's pixel depends on ${all}`);
     await shot('editor-pixel', `document.querySelector('.live-editor')`);
+    const words = 'live.editor.influences.list.textContent';
+    expect(/[+-][\d.]+ ± \S+ per 1/.test(await chromium.value(words)), `no slope says how sure it is: ${await chromium.value(words)}`);
+    // From the sphere's middle to the left, some pixel lies on an outline.
+    const outline = await chromium.value(`(async () => {
+        for (let column = 19; column >= 0; column -= 1) {
+            await live.editor.influences.open(column, 23);
+            if (/it jumps at/.test(${words})) {
+                return column;
+            }
+        }
+    })()`);
+    expect(outline < 19, 'no pixel jumps on the way out of the sphere');
+    await chromium.value(`live.editor.influences.open(19, 23)`);
 
     // The text counts as drawn before its picture is: so the picture is waited for, by its hash.
     const hash = 'live.editor.picture.hash';

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use common::{Color, Error, Renderer, Scene, Settings};
 
 use crate::Inspector;
-use crate::by_numbers::list_numbers;
 use crate::explained_pixel::trace_in_words;
 use crate::options::{MAX_EXPLAINED_SAMPLES, Options};
 use crate::print::{print, warn};
@@ -18,10 +17,6 @@ pub struct ExplainArgs {
     /// Column and row of the pixel, counted from 0 in the upper left corner
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = pixel)]
     pixel: [u32; 2],
-
-    /// Of a scene file: list how the pixel changes with each number of the file, the strongest first
-    #[arg(long, conflicts_with_all = ["drawing", "beside"])]
-    by_numbers: bool,
 
     /// Print JSON, for programs
     #[arg(long, conflicts_with = "beside")]
@@ -50,26 +45,11 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-/// Explains a pixel of the scene.
+/// Lists every number behind a pixel of the scene, and compares its colour with the rendered picture.
 pub fn explain(scene: &Scene, inspector: Inspector, arguments: &ExplainArgs) -> Result<(), Error> {
     let (options, settings) = (&arguments.options, arguments.options.settings(scene)?);
-    let pixel = arguments.pixel;
+    let pixel @ [x, y] = arguments.pixel;
     check(&settings, pixel, arguments)?;
-    if arguments.by_numbers {
-        return list_numbers(scene, pixel, &settings, options, arguments.json);
-    }
-    explain_pixel(scene, pixel, settings, inspector, arguments)
-}
-
-/// Lists every number behind a pixel, and compares its colour with the rendered picture.
-fn explain_pixel(
-    scene: &Scene,
-    pixel: [u32; 2],
-    settings: Settings,
-    inspector: Inspector,
-    arguments: &ExplainArgs,
-) -> Result<(), Error> {
-    let ([x, y], options) = (pixel, &arguments.options);
     let rays = scene.rays()?;
     if let Some(path) = &arguments.drawing {
         check_text(path, "svg", scene, options)?;

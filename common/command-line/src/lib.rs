@@ -6,7 +6,6 @@
 //! `measure` and `learn`.
 
 mod black_picture;
-mod by_numbers;
 mod explain_pixel;
 mod explained_pixel;
 mod gallery;

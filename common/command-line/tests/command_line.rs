@@ -52,12 +52,12 @@ fn run_many() {
 const COMMANDS: &str = "| list | show traced | show opened --no-window | show cube | render painted
     | render traced painted | render --all | render traced --explain | render -- --all
     | explain traced --pixel 1,1 | explain painted --pixel 9
-    | explain traced --pixel 1,1 --by-numbers | export traced --to toml
+    | export traced --to toml
     | report | report scene traced | extremes A B01 | render --help | rendr traced | -";
 
 const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
     --transfer --open -o --output --fast --no-omit --no-window
-    --by-numbers --drawing --replace";
+    --drawing --replace";
 
 const VALUES: &str = "0 1 4 -1 3x2 32768x32768 32769x1 1/510 1e-300 0/0 nan/0 inf center regular
     random stratified srgb a.png .. here \u{1F}a 1000001 4294967296 18446744073709551615";

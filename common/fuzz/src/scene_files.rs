@@ -3,9 +3,7 @@
 
 use a03_rays_cameras::registry::Format;
 use arbitrary::Unstructured;
-use common::Transfer;
-use common::sensitivity::NumberPlace;
-use common::{Renderer, Settings, Size};
+use common::{Renderer, SceneNumber, Settings, Size, Transfer};
 use random_scene::{SceneText, Style};
 use scene_file::{Mesh, Meshes, SceneFile};
 
@@ -62,7 +60,7 @@ fn check_text(text: &str, meshes: Meshes) {
 /// Checks that each number of a file stands in its text, and that the file with the same value of it is
 /// the same.
 fn check_numbers(file: &SceneFile, text: &str) {
-    let values = |numbers: &[NumberPlace]| {
+    let values = |numbers: &[SceneNumber]| {
         let values = numbers.iter().map(|number| number.value.to_bits());
         values.collect::<Vec<_>>()
     };
@@ -80,7 +78,7 @@ fn check_numbers(file: &SceneFile, text: &str) {
     }
     // One of them is enough for so long a text.
     if let Some(number) = numbers.first()
-        && let Some(same) = file.with(Transfer::default(), &[(number, number.value)])
+        && let Some(same) = file.with(Transfer::default(), number, number.value)
     {
         assert_eq!(values(&same.numbers(text)), values(&numbers), "{text}");
     }

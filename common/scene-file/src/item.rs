@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use common::sensitivity::Unit;
+use common::Unit;
 use common::{ArgumentError, Color, Transfer, text};
 
 use crate::error::nearest;

@@ -1,6 +1,6 @@
 //! `Key`: a row of `keys.md`.
 
-use common::sensitivity::Unit;
+use common::Unit;
 
 use crate::{Form, Range};
 

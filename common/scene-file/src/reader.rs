@@ -4,7 +4,7 @@ mod known_key;
 
 use std::sync::Arc;
 
-use common::sensitivity::Unit;
+use common::Unit;
 use common::{Color, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

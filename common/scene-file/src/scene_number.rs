@@ -6,19 +6,17 @@ mod written;
 use std::collections::HashMap;
 use std::ops::Range as Bytes;
 
-use common::Transfer;
-use common::sensitivity::{NumberPlace, Unit};
+use common::{SceneNumber, Transfer, Unit};
 
 use crate::{Data, Form, Item, Key, SceneFile};
-use written::{Lines, Written};
+use written::Written;
 
 impl SceneFile {
     /// All numbers of the file, of which this is the text, in the order of the text. Those inside of a
     /// definition or a repeat are there once, and a colour in a text is three numbers.
     #[must_use]
-    pub fn numbers(&self, text: &str) -> Vec<NumberPlace> {
+    pub fn numbers(&self, text: &str) -> Vec<SceneNumber> {
         let mut written = written::values(text);
-        let lines = Lines::new(text);
         let mut numbers = Vec::new();
         let singles = [&self.picture, &self.camera, &self.world];
         let lists = [
@@ -28,21 +26,26 @@ impl SceneFile {
             &self.definitions,
         ];
         for item in singles.into_iter().chain(lists.into_iter().flatten()) {
-            add_numbers(item, text, &lines, &mut written, &mut numbers);
+            add_numbers(item, text, &mut written, &mut numbers);
         }
         numbers.sort_by_key(|number| (number.bytes.start, number.index));
+        let (mut line, mut from) = (1, 0);
+        for number in &mut numbers {
+            let between = text.get(from..number.bytes.start).unwrap_or_default();
+            line += between.matches('\n').count();
+            from = number.bytes.start;
+            number.line = line;
+        }
         numbers
     }
 
-    /// The file with other values of some numbers, also in all copies of a repeat; none if a key does
-    /// not allow its value. The colours in bytes are those of this transfer.
+    /// The file with another value of a number, also in all copies of a repeat; none if its key does
+    /// not allow the value. The colours in bytes are those of this transfer.
     #[must_use]
-    pub fn with(&self, transfer: Transfer, values: &[(&NumberPlace, f64)]) -> Option<Self> {
-        for (number, value) in values {
-            let [least, greatest] = number.allowed;
-            if !(least..=greatest).contains(value) {
-                return None;
-            }
+    pub fn with(&self, transfer: Transfer, number: &SceneNumber, value: f64) -> Option<Self> {
+        let [least, greatest] = number.allowed;
+        if !(least..=greatest).contains(&value) {
+            return None;
         }
         let mut file = self.with_transfer(transfer).into_owned();
         let singles = [&mut file.picture, &mut file.camera, &mut file.world];
@@ -53,15 +56,13 @@ impl SceneFile {
             &mut file.definitions,
         ];
         for item in singles.into_iter().chain(lists.into_iter().flatten()) {
-            for (number, value) in values {
-                set_number(item, number, *value);
-            }
+            set_number(item, number, value);
         }
         Some(file)
     }
 }
 
-fn set_number(item: &mut Item, number: &NumberPlace, value: f64) {
+fn set_number(item: &mut Item, number: &SceneNumber, value: f64) {
     for (_, at, data) in &mut item.values {
         if *at != number.at {
             continue;
@@ -90,13 +91,12 @@ fn set_number(item: &mut Item, number: &NumberPlace, value: f64) {
 }
 
 /// Adds the numbers of an item, and of those in it, that have not been found before: a copy of a
-/// repeat has the positions of the repeat.
+/// repeat has the positions of the repeat. Their lines are not yet known.
 fn add_numbers(
     item: &Item,
     text: &str,
-    lines: &Lines,
     written: &mut HashMap<usize, Written>,
-    numbers: &mut Vec<NumberPlace>,
+    numbers: &mut Vec<SceneNumber>,
 ) {
     for (name, at, data) in &item.values {
         let values = match data {
@@ -114,10 +114,8 @@ fn add_numbers(
             found.parts
         };
         for (index, (value, bytes)) in values.iter().zip(parts).enumerate() {
-            let [(line, start), (_, end)] = [bytes.start, bytes.end].map(|at| lines.place(at));
-            numbers.push(NumberPlace {
-                line,
-                columns: start..end,
+            numbers.push(SceneNumber {
+                line: 0,
                 bytes,
                 at: *at,
                 index,
@@ -130,7 +128,7 @@ fn add_numbers(
         }
     }
     for table in &item.tables {
-        add_numbers(table, text, lines, written, numbers);
+        add_numbers(table, text, written, numbers);
     }
 }
 
@@ -185,10 +183,9 @@ mod tests {
         let file = SceneFile::read(text, 7, &|_| Err("no mesh".to_owned())).unwrap();
         assert_eq!(file.mistake, None);
         let numbers = file.numbers(text);
-        let place = |number: &NumberPlace| {
-            let NumberPlace {
+        let place = |number: &SceneNumber| {
+            let SceneNumber {
                 line,
-                columns,
                 bytes,
                 table,
                 key,
@@ -196,8 +193,7 @@ mod tests {
                 ..
             } = number;
             let written = &text[bytes.clone()];
-            let columns = columns.start..columns.end;
-            format!("{line}:{columns:?} {written} is {table} {key} = {value}")
+            format!("{line}: {written} is {table} {key} = {value}")
         };
         numbers.iter().map(place).collect()
     }
@@ -206,22 +202,20 @@ mod tests {
     fn each_form_of_a_color_is_three_numbers() {
         let camera = "camera = { eye = [0, 0, 5], gaze = [0, 0, -1], angle = 40 }\n";
         for (color, expected) in [
-            ("[1, 0, 0.5]", ["12:13 1", "15:16 0", "18:21 0.5"]),
-            ("\"#ff0080\"", ["13:15 ff", "15:17 00", "17:19 80"]),
-            ("'#f08'", ["13:14 f", "14:15 0", "15:16 8"]),
-            ("\"\"\"#f08\"\"\"", ["15:16 f", "16:17 0", "17:18 8"]),
-            ("\"red\"", ["11:16 \"red\""; 3]),
-            ("\"\\u0023f08\"", ["11:22 \"\\u0023f08\""; 3]),
+            ("[1, 0, 0.5]", ["1", "0", "0.5"]),
+            ("\"#ff0080\"", ["ff", "00", "80"]),
+            ("'#f08'", ["f", "0", "8"]),
+            ("\"\"\"#f08\"\"\"", ["f", "0", "8"]),
+            ("\"red\"", ["\"red\""; 3]),
+            ("\"\\u0023f08\"", ["\"\\u0023f08\""; 3]),
         ] {
             let text = format!("{camera}[world]\nambient = {color}\n");
             let found: Vec<_> = numbers(&text).split_off(7);
-            for (found, (place, channel)) in found
+            for (found, (written, channel)) in found
                 .iter()
                 .zip(expected.iter().zip(["red", "green", "blue"]))
             {
-                let (columns, written) = place.split_once(' ').unwrap();
-                let columns = columns.replace(':', "..");
-                let begin = format!("3:{columns} {written} is [world] ambient {channel} = ");
+                let begin = format!("3: {written} is [world] ambient {channel} = ");
                 assert!(found.starts_with(&begin), "{color}: {found}, not {begin}");
             }
             assert_eq!(found.len(), 3);
@@ -230,25 +224,25 @@ mod tests {
 
     #[test]
     fn tables_have_the_same_numbers_in_every_form() {
-        let text = "\u{FEFF}camera.eye = [0, 0, 5]\ncamera.gaze = [0, 0, -1]\ncamera.angle = 4e1\n\
+        let text = "\u{FEFF}camera.eye = [0.5, 0, 5]\ncamera.gaze = [0, 0, -1]\ncamera.angle = 4e1\n\
             # ü\nmaterial = { \"ü\" = { diffuse = \"red\" } }\n\
             sphere = [{ center = [1,\n  2, 3], radius = +1_0.5, material = \"ü\" }]\n\
             [[group]]\ntransform = [{ scale = [1, 2, 3] }, { rotate_x = 5 }]\n\
             sphere = [{ center = [0, 0, 0], radius = 1, color = \"red\", \
             transform = [{ translate = [7, 8, 9] }] }]\n\
-            [define.a]\n[[define.a.box]]\nlbf = [0, 0, 0]\nrun = [1, 1, 1]\ncolor = \"red\"\n\
+            [define.a]\n[[define.a.box]]\nlbf = [0, 0.25, 0]\nrun = [1, 1, 1]\ncolor = \"red\"\n\
             [[use]]\nname = \"a\"\n[[use]]\nname = \"a\"\n";
         let found = numbers(text);
         for expected in [
-            "1:15..16 0 is [camera] eye x = 0",
-            "3:16..19 4e1 is [camera] angle = 40",
-            "5:32..37 \"red\" is [material.ü] diffuse red = 1",
-            "7:3..4 2 is [[sphere]] #1 center y = 2",
-            "7:19..25 +1_0.5 is [[sphere]] #1 radius = 10.5",
-            "9:28..29 2 is [[group]] #1 transform step 1: scale y = 2",
-            "9:50..51 5 is [[group]] #1 transform step 2: rotate_x = 5",
-            "10:91..92 8 is [[group]] #1 [[sphere]] #1 transform step 1: translate y = 8",
-            "13:11..12 0 is [define.a] [[box]] #1 lbf y = 0",
+            "1: 0.5 is [camera] eye x = 0.5",
+            "3: 4e1 is [camera] angle = 40",
+            "5: \"red\" is [material.ü] diffuse red = 1",
+            "7: 2 is [[sphere]] #1 center y = 2",
+            "7: +1_0.5 is [[sphere]] #1 radius = 10.5",
+            "9: 2 is [[group]] #1 transform step 1: scale y = 2",
+            "9: 5 is [[group]] #1 transform step 2: rotate_x = 5",
+            "10: 8 is [[group]] #1 [[sphere]] #1 transform step 1: translate y = 8",
+            "13: 0.25 is [define.a] [[box]] #1 lbf y = 0.25",
         ] {
             let count = found.iter().filter(|found| *found == expected).count();
             assert_eq!(count, 1, "{expected}: {found:#?}");

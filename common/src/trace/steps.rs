@@ -34,9 +34,6 @@ pub struct Step {
     pub outcome: Outcome,
     /// Numbers, points, vectors and colours, by the symbols of the book.
     pub values: Vec<(&'static str, Vec<f64>)>,
-    /// The margins of the decisions in the step: each is a smooth function of the numbers of the
-    /// scene, whose sign is a decision.
-    pub margins: Vec<f64>,
     /// The section of the book that explains the step: the page below `book/src`, and the anchor
     /// that mdBook makes of the heading.
     pub section: &'static str,
@@ -52,7 +49,6 @@ impl Step {
             name: name.into(),
             outcome: Outcome::None,
             values: Vec::new(),
-            margins: Vec::new(),
             section,
         }
     }

@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use common::sensitivity::NumberPlace;
-use common::{Error, Settings};
+use common::{Error, SceneNumber, Settings};
 use scene_file::SceneFile;
 
 use crate::View;
@@ -23,16 +22,16 @@ impl NumberedFile {
     /// All numbers of the file in the order of its text. Colours in bytes are those of pictures with
     /// the transfer of the settings.
     #[must_use]
-    pub fn numbers(&self, settings: &Settings) -> Vec<NumberPlace> {
+    pub fn numbers(&self, settings: &Settings) -> Vec<SceneNumber> {
         let file = self.file.with_transfer(settings.transfer);
         file.numbers(&self.text)
     }
 
-    /// The same file with other values of some numbers; none if one is not allowed.
+    /// The same file with another value of a number; none if it is not allowed.
     #[must_use]
-    pub fn with(&self, settings: &Settings, values: &[(&NumberPlace, f64)]) -> Option<Self> {
+    pub fn with(&self, settings: &Settings, number: &SceneNumber, value: f64) -> Option<Self> {
         Some(Self {
-            file: self.file.with(settings.transfer, values)?,
+            file: self.file.with(settings.transfer, number, value)?,
             text: Arc::clone(&self.text),
             format: self.format,
         })

@@ -109,13 +109,6 @@ impl InstrumentedGeometry {
         };
         let mut step = Step::new(step_kind, &*self.name, section).numbered(self.number);
         step.outcome = Outcome::Missed;
-        let kind = self.row.and_then(|row| row.get(&*self.geometry));
-        // The children that are reported one by one have their own.
-        if kind.is_some_and(|kind| kind.children().is_empty()) {
-            let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
-            self.shapes
-                .add_margins(&*self.geometry, o, d, &mut step.margins);
-        }
         for (interval, outcome) in [
             (within, Outcome::Hit),
             (Interval::AHEAD, Outcome::BeyondInterval),

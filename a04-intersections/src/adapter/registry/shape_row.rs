@@ -3,7 +3,6 @@
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
-use glam::DVec3;
 use scene_file::{Error, Item};
 
 use super::Shared;
@@ -59,10 +58,6 @@ pub trait ShapeKind: Geometry {
     fn as_shared(&self) -> Option<&Shared> {
         None
     }
-
-    /// Adds the margins by which a ray hits or misses it, or hits another one of its faces: smooth
-    /// functions of ray and shape, each of which changes its sign at an outline or at an edge.
-    fn add_margins(&self, _o: DVec3, _d: DVec3, _margins: &mut Vec<f64>) {}
 
     /// Reports the ray in the space of its children, if it transforms rays.
     fn push_object_ray(&self, _ray: &Ray) {}
@@ -154,23 +149,6 @@ impl Shapes {
         };
         let children = kind.children().iter();
         kind.tests() + children.map(|child| self.tests(&**child)).sum::<u64>()
-    }
-
-    /// Adds the margins by which a ray hits or misses a geometry and the shapes in it.
-    pub fn add_margins(self, geometry: &dyn Geometry, o: DVec3, d: DVec3, margins: &mut Vec<f64>) {
-        let Some(kind) = self.row(geometry).and_then(|row| row.get(geometry)) else {
-            return;
-        };
-        kind.add_margins(o, d, margins);
-        if let Content::Children { shapes, transform } = kind.content() {
-            let inverse = transform.map(|transform| transform.inverse);
-            let (o, d) = inverse.map_or((o, d), |inverse| {
-                (inverse.transform_point3(o), inverse.transform_vector3(d))
-            });
-            for shape in shapes {
-                self.add_margins(shape, o, d, margins);
-            }
-        }
     }
 
     /// Reads a shape without children from its table.

@@ -9,7 +9,6 @@ use a04_intersections::instruments::instrumented as geometries;
 use a04_intersections::registry::Shapes;
 use common::steps::{self, Step, StepKind, type_name};
 
-use crate::registry::LIGHTS;
 use crate::{Illumination, Light, LitWorld};
 
 pub use material::{InstrumentedMaterial, material, shaded};
@@ -66,24 +65,16 @@ pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
 impl Light for InstrumentedLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.light.illumination(point);
-        let margin = LIGHTS.margin(&*self.light, point);
-        push_light(self.number, &self.type_name, light, margin);
+        push_light(self.number, &self.type_name, light);
         light
     }
 }
 
-/// Reports the light that arrives from a source, counted from 1, of this type, and the margin by which
-/// it shines at the hit.
-pub fn push_light(
-    number: usize,
-    type_name: &str,
-    light: Option<Illumination>,
-    margin: Option<f64>,
-) {
+/// Reports the light that arrives from a source, counted from 1, of this type.
+pub fn push_light(number: usize, type_name: &str, light: Option<Illumination>) {
     steps::heading(StepKind::Light, |kind| {
         let name = format!("light {number}: {type_name}");
-        let mut step = Step::new(kind, name, "a05-lighting.md#three-lights").numbered(number);
-        step.margins.extend(margin);
+        let step = Step::new(kind, name, "a05-lighting.md#three-lights").numbered(number);
         match light {
             Some(light) => step
                 .with("cl", light.color.channels())

@@ -22,12 +22,6 @@ pub trait LightKind: Light {
     fn for_engine(&self) -> Option<engine::Emitter<'static>> {
         None
     }
-
-    /// The margin by which it shines at a point: a smooth function that is below 0 where it does not;
-    /// none if it shines everywhere.
-    fn margin(&self, _point: Point3) -> Option<f64> {
-        None
-    }
 }
 
 /// Reads a light of any type.
@@ -68,13 +62,6 @@ impl Lights {
             Some(row) => (row.read)(item),
             None => Err(item.error("", format!("no row of this stage reads a {name}"))),
         }
-    }
-
-    /// The margin by which a light shines at a point; none if it shines everywhere, or nobody knows.
-    #[must_use]
-    pub fn margin(self, light: &dyn Light, point: Point3) -> Option<f64> {
-        let known = self.0.iter().find_map(|row| (row.get)(light));
-        known.and_then(|light| light.margin(point))
     }
 
     /// A light as the values of its table.

@@ -6,6 +6,7 @@ use live::{Answer, call};
 
 mod arithmetic;
 mod measuring;
+mod sensitivity;
 mod sweeps;
 
 fn ask(request: &str, numbers: &[f64]) -> Answer {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use common::sensitivity::Unit;
+use common::Unit;
 use scene_file::{Form, Key, Kind, Missing};
 
 use super::{Writer, kind};

@@ -102,28 +102,3 @@ fn join(before: &str, behind: &str) -> String {
     }
     format!("{before} {behind}")
 }
-
-/// Where the lines of a text begin.
-pub struct Lines<'a> {
-    text: &'a str,
-    starts: Vec<usize>,
-}
-
-impl<'a> Lines<'a> {
-    /// The lines of a text.
-    pub fn new(text: &'a str) -> Self {
-        let newlines = text.match_indices('\n').map(|(at, _)| at + 1);
-        let starts = std::iter::once(0).chain(newlines).collect();
-        Self { text, starts }
-    }
-
-    /// The line and the column of a byte, each from 1.
-    pub fn place(&self, at: usize) -> (usize, usize) {
-        let line = self.starts.partition_point(|start| *start <= at);
-        let start = self.starts.get(line - 1).copied().unwrap_or_default();
-        let before = self.text.get(start..at).unwrap_or_default();
-        // A byte order mark has no column.
-        let before = before.trim_start_matches('\u{FEFF}');
-        (line, before.chars().count() + 1)
-    }
-}
