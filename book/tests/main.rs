@@ -8,7 +8,6 @@ mod include;
 mod left_over;
 mod recorded;
 mod way_of_a_ray;
-mod who_passes;
 
 use files::Files;
 
@@ -34,5 +33,4 @@ checks! {
     each_file_of_tests_is_compiled: forgotten::complaints;
     each_exercise_is_in_its_lists: forgotten::exercises;
     each_anchor_has_a_figure: recorded::anchors;
-    the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }

@@ -3,13 +3,11 @@
 
 mod case;
 mod reader;
-pub mod results;
 mod verdict;
 
 pub use case::{Answer, Case, Hit, Question, Shape, Step};
 pub use reader::{Fields, Mistake, read, read_each};
-pub use results::table;
-pub use verdict::{DOUBLE, Found, SINGLE, Tally, Verdict, judge};
+pub use verdict::{DOUBLE, Verdict, judge};
 
 /// The text of `cases.toml`, whose numbers are doubles.
 pub const CASES: &str = include_str!("../cases.toml");

@@ -5,15 +5,9 @@ use crate::{Answer, Case};
 /// The relative rounding error of doubles, `2^-53`.
 pub const DOUBLE: f64 = 0.5 * f64::EPSILON;
 
-/// The relative rounding error of single precision, `2^-24`.
-pub const SINGLE: f64 = 0.5 * f32::EPSILON as f64;
-
 /// How many rounding errors of its inputs an answer may be off. A formula of some dozen operations that
 /// adds no error of its own kind stays below.
 const ALLOWED: f64 = 16.0;
-
-/// The `t` that a library finds, if it finds a hit.
-pub type Found = Option<f64>;
 
 /// What is to be said of an answer. A part that no answer could fail is `None`, and is not counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,10 +34,9 @@ impl Verdict {
     }
 }
 
-/// Judges an answer for a case. `unit` is the relative rounding error of the numbers in which the answer
-/// was computed, [`DOUBLE`] or [`SINGLE`].
+/// Judges an answer for a case: the `t` that was found in doubles, if a hit was found.
 #[must_use]
-pub fn judge(case: &Case, found: Found, unit: f64) -> Verdict {
+pub fn judge(case: &Case, found: Option<f64>) -> Verdict {
     let is_hit = match case.answer {
         Answer::Hit(_) => Some(true),
         Answer::Miss => Some(false),
@@ -54,19 +47,19 @@ pub fn judge(case: &Case, found: Found, unit: f64) -> Verdict {
         decision: is_hit
             .filter(|_| !case.is_border)
             .map(|is_hit| is_hit == found.is_some()),
-        value: found.and_then(|t| judge_value(case, t, unit)),
+        value: found.and_then(|t| judge_value(case, t)),
     }
 }
 
 /// Whether a `t` is right, if another one would not be.
-fn judge_value(case: &Case, t: f64, unit: f64) -> Option<bool> {
+fn judge_value(case: &Case, t: f64) -> Option<bool> {
     if !t.is_finite() {
         return Some(false);
     }
     let (least, greatest) = match (&case.answer, case.between) {
         (Answer::Hit(hit), between) => {
             // One unit in the last place is at most two rounding errors.
-            let allowed = ALLOWED * case.condition.max(1.0) * 2.0 * unit * hit.t.abs();
+            let allowed = ALLOWED * case.condition.max(1.0) * 2.0 * DOUBLE * hit.t.abs();
             let [least, greatest] = between.unwrap_or([hit.t, hit.t]);
             let (least, greatest) = (least.min(hit.t - allowed), greatest.max(hit.t + allowed));
             if least <= 0.0 && greatest >= 2.0 * hit.t {
@@ -78,33 +71,4 @@ fn judge_value(case: &Case, t: f64, unit: f64) -> Option<bool> {
         (_, None) => return None,
     };
     Some(least <= t && t <= greatest)
-}
-
-/// How many parts of answers are right.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
-    /// All answers that could have been wrong.
-    pub asked: usize,
-    /// Those of which no part is wrong.
-    pub right: usize,
-    /// All decisions that could have been wrong.
-    pub decisions: usize,
-    /// Those that are right.
-    pub right_decisions: usize,
-    /// All values that could have been wrong.
-    pub values: usize,
-    /// Those that are right.
-    pub right_values: usize,
-}
-
-impl Tally {
-    /// Counts one more answer.
-    pub fn add(&mut self, verdict: Verdict) {
-        self.asked += usize::from(verdict.is_counted());
-        self.right += usize::from(verdict.is_counted() && verdict.is_right());
-        self.decisions += usize::from(verdict.decision.is_some());
-        self.right_decisions += usize::from(verdict.decision == Some(true));
-        self.values += usize::from(verdict.value.is_some());
-        self.right_values += usize::from(verdict.value == Some(true));
-    }
 }

@@ -38,7 +38,7 @@ fn the_lesson_decides_all_cases_and_states_all_values_but_five() {
         }
         count += 1;
         let found = asked(&case.question).map(|hit| hit.t);
-        let verdict = judge(&case, found, DOUBLE);
+        let verdict = judge(&case, found);
         assert_ne!(verdict.decision, Some(false), "{}", case.question.id);
         if verdict.value == Some(false) {
             wrong.push(case.question.id);

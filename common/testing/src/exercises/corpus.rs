@@ -1,6 +1,6 @@
 //! `ask_corpus`: how a student's shape answers the rays that broke ray tracers.
 
-use corpus::{CASES, Case, DOUBLE, Question, Shape, judge};
+use corpus::{CASES, Case, Question, Shape, judge};
 
 use super::exercise::Exercise;
 use super::findings::answer_of;
@@ -19,7 +19,7 @@ pub fn ask_corpus(name: &str, exercise: &Exercise<()>) -> String {
             continue;
         }
         let found = nearest(&case.question, &shapes, exercise);
-        let verdict = judge(&case, found, DOUBLE);
+        let verdict = judge(&case, found);
         asked += usize::from(verdict.is_counted());
         if verdict.is_right() {
             right += usize::from(verdict.is_counted());
