@@ -14,7 +14,7 @@ use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
 use crate::exercise_record::{record, record_file};
-use crate::handout::{Handout, Workbook};
+use crate::handout::{Handout, Workbook, paths_in};
 use crate::program_output::output_of;
 use crate::sandbox::{End, Ended, Limits, Place, Sandbox};
 use crate::submission::StudentFile;
@@ -170,19 +170,4 @@ fn update(root: &Path, workbook: &Workbook) -> io::Result<()> {
         fs::write(&file, bytes)?;
     }
     Ok(())
-}
-
-/// The paths of all files below a folder, from the root, with `/`.
-fn paths_in(root: &Path, folder: &Path) -> io::Result<Vec<String>> {
-    let mut paths = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            paths.extend(paths_in(root, &path)?);
-        } else {
-            let path = path.strip_prefix(root).unwrap_or(&path);
-            paths.push(path.to_string_lossy().into_owned());
-        }
-    }
-    Ok(paths)
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use common::text;
+pub use learn::is_added;
 
 /// The manifest of a program.
 pub const MANIFEST: &str = "Cargo.toml";
@@ -12,17 +13,6 @@ pub const SHEETS: &str = "sheet.txt";
 
 /// Extensions of archives, of which only zip files are opened.
 const ARCHIVES: [&str; 9] = ["7z", "bz2", "gz", "rar", "tar", "tgz", "xz", "zip", "zst"];
-
-/// Folders and files that systems and tools add.
-const ADDED: [&str; 7] = [
-    "__MACOSX",
-    ".DS_Store",
-    "Thumbs.db",
-    "desktop.ini",
-    ".git",
-    ".learn",
-    "target",
-];
 
 /// A file in a hand-in.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,9 +79,4 @@ pub fn is_archive(name: &str) -> bool {
     ARCHIVES
         .iter()
         .any(|archive| extension.eq_ignore_ascii_case(archive))
-}
-
-/// Whether a system or a tool has added this file or folder.
-pub fn is_added(name: &str) -> bool {
-    ADDED.contains(&name) || name.starts_with("._")
 }

@@ -3,9 +3,9 @@
 //! recorded answers.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{fs, io};
 
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
@@ -20,7 +20,8 @@ pub type Workbook = BTreeMap<String, Vec<u8>>;
 /// The page for students, with `{stage}` instead of the last stage.
 const README: &str = include_str!("../handout/README.md");
 
-/// The commands of students.
+/// The commands of students, by which a handout is known.
+const CONFIG_FILE: &str = ".cargo/config.toml";
 const CONFIG: &str = "[alias]\nlearn = \"run --package learn --\"\n";
 
 /// The files that are handed out and belong to no package.
@@ -58,6 +59,9 @@ const SHEETS: &str = "common/sheet/sheets/";
 pub struct Handout {
     /// A new folder
     pub folder: PathBuf,
+    /// Brings the next stage into the handout of an earlier week; exercises and other files in it stay
+    #[arg(long)]
+    pub into: bool,
     /// The last stage, such as a04 [default: all stages]
     #[arg(long, value_name = "STAGE")]
     pub until: Option<String>,
@@ -67,16 +71,26 @@ pub struct Handout {
 }
 
 impl Handout {
-    /// Writes the handout into a new or empty folder, and returns what it has.
+    /// Writes the handout, and returns what it has.
     pub fn run(&self, course: &'static [Exercise]) -> Result<String, String> {
         let folder = &self.folder;
         let shown = folder.display();
-        if fs::read_dir(folder).is_ok_and(|mut folder| folder.next().is_some()) {
+        let is_handout =
+            fs::read(folder.join(CONFIG_FILE)).is_ok_and(|file| file == CONFIG.as_bytes());
+        let is_empty = fs::read_dir(folder).is_ok_and(|mut folder| folder.next().is_none());
+        if self.into && !is_handout {
             return Err(format!(
-                "{shown} is not empty; a handout needs a new folder"
+                "{shown} is no handout; without --into, one is made in a new folder"
             ));
         }
-        for (path, bytes) in &self.workbook(course)? {
+        if folder.exists() && !is_empty && !self.into {
+            return Err(format!(
+                "{shown} is not empty; a handout needs a new folder, and --into brings an earlier one up to date"
+            ));
+        }
+        let mut files = self.workbook(course)?;
+        files.extend(built_book()?);
+        for (path, bytes) in &files {
             let path = folder.join(path);
             if let Some(folder) = path.parent() {
                 fs::create_dir_all(folder).map_err(with_path(folder))?;
@@ -122,12 +136,46 @@ impl Handout {
                 *bytes = without_packages(&String::from_utf8_lossy(bytes), &others).into();
             }
         }
-        workbook.insert(".cargo/config.toml".to_owned(), CONFIG.into());
+        workbook.insert(CONFIG_FILE.to_owned(), CONFIG.into());
         let last = chosen.last().map_or("", |e| e.stage);
         let readme = README.replace("{stage}", last);
         workbook.insert("README.md".to_owned(), readme.into());
         Ok(workbook)
     }
+}
+
+/// The files of the book as it is read. All of it is handed out, so that no link is dead.
+fn built_book() -> Result<Workbook, String> {
+    let mut cargo = Command::new("cargo");
+    let status = cargo.arg("book").current_dir(files::workspace()).status();
+    if !status.map_err(with_path("cargo".as_ref()))?.success() {
+        return Err("the book is not built, and so nothing is handed out".to_owned());
+    }
+    let root = files::workspace().join("target/book");
+    let mut book = Workbook::new();
+    for path in paths_in(&root, &root).map_err(with_path(&root))? {
+        let file = root.join(&path);
+        book.insert(
+            format!("book/{path}"),
+            fs::read(&file).map_err(with_path(&file))?,
+        );
+    }
+    Ok(book)
+}
+
+/// The paths of all files below a folder, from the root, with `/`.
+pub fn paths_in(root: &Path, folder: &Path) -> io::Result<Vec<String>> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            paths.extend(paths_in(root, &path)?);
+        } else {
+            let path = path.strip_prefix(root).unwrap_or(&path);
+            paths.push(path.to_string_lossy().into_owned());
+        }
+    }
+    Ok(paths)
 }
 
 /// The paths of all files that Git does not ignore.
@@ -145,22 +193,18 @@ fn paths() -> Result<Vec<String>, String> {
     Ok(paths.split_terminator('\0').map(str::to_owned).collect())
 }
 
-/// The pages of the stages that are handed out, and the glossary; behind the last stage the open sheets, and their
-/// pages; the pictures of these pages and of scenes, which checks compare. Names of pages and pictures begin with
-/// that of the stage.
+/// What checks and `cargo learn` read: the pages of exercises, the pictures of these pages and of scenes, and behind
+/// the last stage the open sheets. Names of pages and pictures begin with that of the stage.
 fn pages<'a>(paths: &'a [String], above: &[Exercise]) -> Result<BTreeSet<&'a str>, String> {
-    let is_handed_out = |name: &str| match name.split_once('-') {
-        Some((stage, _)) if stage.starts_with("a0") => {
-            !above.iter().any(|e| e.stage.starts_with(stage))
-        }
-        _ if name == "part-two.md" || name.starts_with("sheet-") => above.is_empty(),
-        _ => name == "glossary.md",
+    let is_handed_out = |name: &str| {
+        let stage = name.split_once('-').map_or("", |(stage, _)| stage);
+        stage.starts_with("a0") && !above.iter().any(|e| e.stage.starts_with(stage))
     };
     let mut pages = BTreeSet::new();
     let mut text = String::new();
     for path in paths {
         let name = path.strip_prefix(BOOK).unwrap_or_default();
-        let is_page = !name.contains('/') && is_handed_out(name);
+        let is_page = name.ends_with("-exercises.md") && is_handed_out(name);
         if is_page || (path.starts_with(SHEETS) && above.is_empty()) {
             pages.insert(&**path);
             text += &files::read(path)?;

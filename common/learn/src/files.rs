@@ -65,6 +65,16 @@ pub(crate) fn saved(exercise: &Exercise) -> Saved {
     Some((file.modified().ok()?, file.len()))
 }
 
+/// Where a page of the book is: in a handout as it is read, else as it is written.
+pub(crate) fn page(name: &str) -> String {
+    let built = format!("book/{}.html", name.trim_end_matches(".md"));
+    if workspace().join(&built).exists() {
+        built
+    } else {
+        format!("book/src/{name}")
+    }
+}
+
 /// The text of the starter: the solution without its code. In a workbook without solutions, such a
 /// file is a starter already.
 pub fn starter(exercise: &Exercise) -> Result<String, String> {

@@ -48,6 +48,7 @@ use phase::Phase;
 use progress::Progress;
 pub use refusal::refusal;
 use screen::Screen;
+pub use submit::is_added;
 
 /// The exercises whose code the corpus of ray failures asks.
 const SHAPES: [&str; 5] = ["plane", "axis_aligned_box", "triangle", "sphere", "disc"];

@@ -126,9 +126,8 @@ fn list(sheets: &[Sheet]) -> String {
         ..
     } in sheets
     {
-        lines.push(format!(
-            "{name:10} {hours:>2} h  {title:36} book/src/{page}"
-        ));
+        let page = files::page(page);
+        lines.push(format!("{name:10} {hours:>2} h  {title:36} {page}"));
     }
     lines.push(String::new());
     lines.push("`cargo learn sheet NAME` shows what it asks for".to_owned());
@@ -145,7 +144,8 @@ fn about(sheet: &Sheet) -> String {
         hours,
         ..
     } = sheet;
-    let mut lines = vec![format!("{title} ({hours} h): book/src/{page}")];
+    let page = files::page(page);
+    let mut lines = vec![format!("{title} ({hours} h): {page}")];
     lines.push("\nYour program draws:".to_owned());
     for picture in &sheet.pictures {
         let samples: Vec<_> = picture.samples.iter().map(u32::to_string).collect();

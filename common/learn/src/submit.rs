@@ -1,8 +1,9 @@
 //! `submit`: packs the student's files into one zip file.
 
+use std::fmt::Write as _;
 use std::fs;
-use std::io::Write;
-use std::path::Path;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use common::text;
@@ -15,12 +16,30 @@ use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
 
+/// What systems, tools and Cargo add to a folder, and no student.
+const ADDED: [&str; 7] = [
+    "__MACOSX",
+    ".DS_Store",
+    "Thumbs.db",
+    "desktop.ini",
+    ".git",
+    ".learn",
+    "target",
+];
+
+/// The file that names the open sheets of a program.
+const SHEETS: &str = "sheet.txt";
+
+const LINK: &str = "is a link; hand in the file itself";
+
 /// Packs your files into NAME.zip, which you hand in
 #[derive(clap::Args)]
 pub struct Submit {
     /// Your name, in letters, digits, - and _
     #[arg(value_name = "NAME")]
     name: String,
+    /// The folder of your own program, which is packed, too, for the sheets that its sheet.txt names
+    program: Option<PathBuf>,
 }
 
 impl Submit {
@@ -33,50 +52,111 @@ impl Submit {
             return Err(format!("\"{name}\" is no name of letters, digits, - and _"));
         }
         let begun: Vec<_> = course.iter().filter(|e| files::is_begun(e)).collect();
-        if begun.is_empty() {
+        if begun.is_empty() && self.program.is_none() {
             return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
         }
         let path = format!("{name}.zip");
         if !is_replaced(path.as_ref()) {
             return Err(format!(
-                "{path} is a broken link, or has other files than exercises; move it, or submit by another name"
+                "{path} is a broken link, or has other files than a hand-in; move it, or submit by another name"
             ));
         }
-        let bytes = pack(&begun)?;
-        fs::write(&path, bytes).map_err(with_path(path.as_ref()))?;
+        let mut zip = ZipArchiveWriter::new(Vec::new());
+        pack(&mut zip, &begun)?;
         let progress = Progress::read();
         let done = begun.iter().filter(|e| progress.is_done(e)).count();
-        let count = begun.len();
-        Ok(format!("{path}: {count} files, {done} of them done"))
+        let mut words = format!("{path}: {} files, {done} of them done", begun.len());
+        if let Some(folder) = &self.program {
+            let count = pack_program(&mut zip, folder)?;
+            let _ = write!(words, "; a program of {count} files");
+        }
+        let bytes = zip.finish().map_err(|error| error.to_string())?;
+        fs::write(&path, bytes).map_err(with_path(path.as_ref()))?;
+        Ok(words)
     }
 }
 
-/// Whether a file may be written anew: it is missing, or has nothing but exercises, as an earlier one has.
+/// Whether a file may be written anew: it is missing, or has nothing but exercises and programs, as an earlier one has.
 fn is_replaced(path: &Path) -> bool {
     let Ok(bytes) = fs::read(path) else {
         return !path.exists() && !path.is_symlink();
     };
-    let is_exercise = |name: &[u8]| String::from_utf8_lossy(name).contains("/exercises/");
-    ZipArchive::from_slice(&bytes).is_ok_and(|zip| {
-        zip.entries()
-            .all(|entry| entry.is_ok_and(|entry| is_exercise(entry.file_path().as_ref())))
-    })
+    let Ok(zip) = ZipArchive::from_slice(&bytes) else {
+        return false;
+    };
+    let mut names = Vec::new();
+    for entry in zip.entries() {
+        let Ok(entry) = entry else {
+            return false;
+        };
+        names.push(String::from_utf8_lossy(entry.file_path().as_ref()).into_owned());
+    }
+    let programs: Vec<_> = names
+        .iter()
+        .filter_map(|name| name.strip_suffix(SHEETS))
+        .collect();
+    let is_of_program = |name: &str| programs.iter().any(|folder| name.starts_with(folder));
+    names
+        .iter()
+        .all(|name| name.contains("/exercises/") || is_of_program(name))
 }
 
-/// The bytes of the zip file.
-fn pack(begun: &[&Exercise]) -> Result<Vec<u8>, String> {
-    let mut zip = ZipArchiveWriter::new(Vec::new());
+/// Whether a system or a tool has added this file or folder.
+#[must_use]
+pub fn is_added(name: &str) -> bool {
+    ADDED.contains(&name) || name.starts_with("._")
+}
+
+/// Adds the files of exercises.
+fn pack(zip: &mut ZipArchiveWriter<Vec<u8>>, begun: &[&Exercise]) -> Result<(), String> {
     for e in begun {
         let yours = files::yours(e);
         if yours.is_symlink() {
             let path = text::path(&yours);
-            return Err(format!("{path} is a link; hand in the file itself"));
+            return Err(format!("{path} {LINK}"));
         }
         let name = format!("{}/exercises/{}.rs", e.stage, e.name);
         let text = files::text_of(&yours)?;
-        add(&mut zip, &name, text.as_bytes()).map_err(|error| format!("{name}: {error}"))?;
+        add(zip, &name, text.as_bytes()).map_err(|error| format!("{name}: {error}"))?;
     }
-    zip.finish().map_err(|error| error.to_string())
+    Ok(())
+}
+
+/// Adds the files of a program, and returns how many there are.
+fn pack_program(zip: &mut ZipArchiveWriter<Vec<u8>>, folder: &Path) -> Result<usize, String> {
+    let folder = fs::canonicalize(folder).map_err(with_path(folder))?;
+    if !folder.join(SHEETS).is_file() {
+        return Err(format!(
+            "{} lacks a file {SHEETS}, which names the sheets, such as glass",
+            text::path(&folder)
+        ));
+    }
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let mut open = vec![(folder.clone(), name.into_owned())];
+    let mut count = 0;
+    while let Some((place, inner)) = open.pop() {
+        for entry in fs::read_dir(&place).map_err(with_path(&place))? {
+            let entry = entry.map_err(with_path(&place))?;
+            let (path, name) = (entry.path(), entry.file_name());
+            let name = name.to_string_lossy();
+            let inner = format!("{inner}/{name}");
+            let kind = entry.file_type().map_err(with_path(&path))?;
+            if is_added(&name) {
+                continue;
+            }
+            if kind.is_symlink() {
+                return Err(format!("{} {LINK}", text::path(&path)));
+            }
+            if kind.is_dir() {
+                open.push((path, inner));
+            } else {
+                let bytes = fs::read(&path).map_err(with_path(&path))?;
+                add(zip, &inner, &bytes).map_err(|error| format!("{inner}: {error}"))?;
+                count += 1;
+            }
+        }
+    }
+    Ok(count)
 }
 
 /// Adds a file.
