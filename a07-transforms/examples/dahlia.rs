@@ -10,7 +10,7 @@ use a04_intersections::{Plane, Sphere};
 use a05_lighting::PointLight;
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld};
 use a07_transforms::{Node, Transform, traced};
-use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size, Stage};
+use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size, Stage, Transfer};
 
 fn main() -> ExitCode {
     command_line::run(
@@ -26,6 +26,7 @@ fn main() -> ExitCode {
 pub fn stage() -> Stage {
     let view = |_| dahlia().map(traced);
     let defaults = Settings {
+        transfer: Transfer::Srgb,
         size: Size::new(960, 640).unwrap_or(Size::COURSE),
         samples: 16,
         sampling: Sampling::Stratified,

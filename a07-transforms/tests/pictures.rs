@@ -1,6 +1,34 @@
-//! The locked pictures of this stage.
+//! The locked pictures of this stage, and those that the book shows of scene files and of the dahlia.
+
+use std::fs;
+
+use a07_transforms::stage;
+use testing::picture_lock::{Shown, check_shown};
+
+#[path = "../examples/dahlia.rs"]
+#[expect(dead_code, reason = "the example's own main")]
+mod example;
 
 testing::lock_pictures! {
-    a07_transforms::stage();
+    stage();
     sphere_transformation box_transformations disc
+}
+
+#[test]
+fn the_book_shows_what_scene_files_and_the_dahlia_draw() {
+    let mut shown = Vec::new();
+    for scene in example::stage().scenes {
+        let name = format!("{}.png", scene.name);
+        shown.push(Shown { name, scene });
+    }
+    let open = stage().open.unwrap();
+    for file in fs::read_dir("scenes").unwrap() {
+        let path = file.unwrap().path();
+        if path.extension() == Some("toml".as_ref()) {
+            let scene = open(&path).unwrap();
+            let name = format!("scene-{}.png", scene.name);
+            shown.push(Shown { name, scene });
+        }
+    }
+    check_shown(&shown, &TEST_PATHS);
 }

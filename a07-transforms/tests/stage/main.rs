@@ -4,7 +4,6 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod adaptive;
-mod dahlia;
 mod deep_reflections;
 mod explained;
 mod export;

@@ -140,4 +140,4 @@ live.Editor = class {
 };
 
 live.editor = live.tool('what-the-page-draws', () =>
-    new live.Editor(document.querySelector('main code.language-toml'), document.querySelector('main img[src$="scene-file.png"]')));
+    new live.Editor(document.querySelector('main code.language-toml'), document.querySelector('main img[src$="scene-shapes.png"]')));

@@ -2,14 +2,16 @@
 //!
 //! A lock has two halves: a text snapshot with the picture's size and the hash of its
 //! bytes, and the expected PNG, which is a file of the book. [`lock_pictures!`](crate::lock_pictures) writes the tests;
-//! `INSTA_UPDATE=always` accepts the new pictures, in both halves.
+//! `INSTA_UPDATE=always` accepts a new picture, in both halves, if all renderers draw it.
 
 mod invariance;
 mod omission_table;
 mod program_run;
+mod shown;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
 
 use command_line::picture_name;
 use common::{Image, Renderer, Scene, Settings, Stage, Transfer, fnv1a, picture_file};
@@ -19,6 +21,7 @@ use common::difference::{compare_with_file, leave_pictures};
 pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use omission_table::check_book;
 pub use program_run::check_program;
+pub use shown::{Shown, check_shown};
 
 /// The paths of a stage's tests.
 pub struct TestPaths {
@@ -107,9 +110,21 @@ fn render(scene: &Scene, settings: &Settings) -> Image {
     image
 }
 
-/// All renderers, each with a message about a picture that differs from the lock.
-const RENDERERS: [(Renderer, &str); 3] = [
-    (Renderer::Lesson, "has changed"),
+/// Whether new pictures replace the expected ones.
+fn accepts() -> bool {
+    env::var("INSTA_UPDATE").as_deref() == Ok("always")
+}
+
+/// Writes a picture into the folder of failed tests, under the name of the expected one.
+fn put_aside(image: &Image, transfer: Transfer, expected: &Path, places: &TestPaths) -> PathBuf {
+    let name = expected.file_name().expect("a name");
+    let file = Path::new(places.scratch).join(name);
+    picture_file::save_png(&file, image.size(), &image.to_rgb8(transfer)).expect("it is written");
+    file
+}
+
+/// The other renderers, each with a message about a picture that differs from the lesson's.
+const RENDERERS: [(Renderer, &str); 2] = [
     (
         Renderer::Engine,
         "by the fast renderer (--fast) is not the lesson's",
@@ -134,38 +149,39 @@ fn read_again(stage: &Stage, scene: &Scene, places: &TestPaths) -> Option<Scene>
         panic!(
             "{error}:
 {}",
-            std::fs::read_to_string(&file).unwrap()
+            fs::read_to_string(&file).unwrap()
         )
     };
     Some(open(&file).unwrap_or_else(wrong))
 }
 
-/// Renders a scene with all renderers and compares the pictures with its lock: all with the
-/// expected PNG, and the lesson's with the snapshot of its hash, too. The engine draws the same from the
-/// scene file that the scene's export makes, if the stage reads scene files. A scene that traces no rays
-/// is painted in one way.
+/// Renders a scene by the lesson and compares the picture with its lock, then by the other renderers, which must draw
+/// the lesson's picture. The engine draws the same from the scene file that the scene's export makes, if the stage reads
+/// scene files. A scene that traces no rays is painted in one way. A new picture replaces the lock when all draw it.
 pub fn check(stage: &Stage, test: &str, places: &TestPaths) {
     let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
-    let expected = places.expected(&picture_name(stage, &scene));
-    let renderers = match scene.rays() {
-        Ok(_) => &RENDERERS[..],
-        Err(_) => &RENDERERS[..1],
-    };
-    let pictures = renderers.iter();
-    let pictures = pictures.map(|(renderer, differs)| (scene.clone(), *renderer, *differs));
-    let again = read_again(stage, &scene, places);
-    let again = again.map(|scene| (scene, Renderer::Engine, "from its file is another one"));
-    for (scene, renderer, differs) in pictures.chain(again) {
-        let settings = Settings {
-            renderer,
-            ..scene.defaults.clone()
-        };
-        let image = render(&scene, &settings);
-        let differs = format!("the picture of {} {differs}", scene.name);
-        if renderer == Renderer::Lesson {
-            check_lesson(&scene, &image, &expected, places, &differs);
-        } else if let Err(difference) = compare_with_file(&expected, &image) {
-            let difference = format!("{differs}: {difference}");
+    let locked = places.expected(&picture_name(stage, &scene));
+    let lesson = draw(&scene, Renderer::Lesson);
+    let mut expected = locked.clone();
+    if let Err(difference) = compare_with_file(&locked, &lesson) {
+        if !accepts() {
+            let difference = format!("the picture of {} has changed: {difference}", scene.name);
+            let left = leave_pictures(Path::new(places.scratch), &locked, &lesson, &difference);
+            panic!("{left}\n  if the new picture is right, INSTA_UPDATE=always accepts it");
+        }
+        expected = put_aside(&lesson, Transfer::Linear, &locked, places);
+    }
+    let mut others = Vec::new();
+    if scene.rays().is_ok() {
+        others.extend(RENDERERS.map(|(renderer, differs)| (scene.clone(), renderer, differs)));
+    }
+    if let Some(again) = read_again(stage, &scene, places) {
+        others.push((again, Renderer::Engine, "from its file is another one"));
+    }
+    for (scene, renderer, differs) in others {
+        let image = draw(&scene, renderer);
+        if let Err(difference) = compare_with_file(&expected, &image) {
+            let difference = format!("the picture of {} {differs}: {difference}", scene.name);
             let scratch = Path::new(places.scratch);
             panic!(
                 "{}",
@@ -173,30 +189,29 @@ pub fn check(stage: &Stage, test: &str, places: &TestPaths) {
             );
         }
     }
+    if expected != locked {
+        fs::copy(&expected, &locked).expect("the locked picture is written");
+    }
+    check_hash(&scene, &lesson, places);
 }
 
-/// Compares the picture of the lesson with both halves of the lock: first with the
-/// PNG, so that the message about a changed picture shows pictures and not a hash.
-fn check_lesson(scene: &Scene, image: &Image, expected: &Path, places: &TestPaths, differs: &str) {
-    let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
-    let accept = std::env::var("INSTA_UPDATE").as_deref() == Ok("always");
-    match compare_with_file(expected, image) {
-        Ok(()) => {}
-        Err(_) if accept => {
-            picture_file::save_png(expected, size, &rgb).expect("the expected picture is written");
-        }
-        Err(difference) => {
-            let difference = format!("{differs}: {difference}");
-            let left = leave_pictures(Path::new(places.scratch), expected, image, &difference);
-            panic!("{left}\n  if the new picture is right, INSTA_UPDATE=always accepts it");
-        }
-    }
+fn draw(scene: &Scene, renderer: Renderer) -> Image {
+    let settings = Settings {
+        renderer,
+        ..scene.defaults.clone()
+    };
+    render(scene, &settings)
+}
 
+/// Compares the picture of the lesson with the snapshot of its hash: behind all pictures, so that the message about a
+/// changed picture shows pictures.
+fn check_hash(scene: &Scene, image: &Image, places: &TestPaths) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(Path::new(places.stage).join("tests/snapshots"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_description(format!("{}: {}", scene.name, scene.about));
+    let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
     let hash = format!("size {size}\nhash {:016x}", fnv1a(&rgb));
     settings.bind(|| insta::assert_snapshot!(scene.name, hash));
 }
