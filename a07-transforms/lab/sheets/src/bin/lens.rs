@@ -1,7 +1,10 @@
 //! A lens: rays from random points of a disc, which meet in the plane in focus.
 
-use crate::functions::*;
-use crate::workbench::*;
+use answers::*;
+
+fn main() -> Result<(), Error> {
+    run(render)
+}
 
 #[derive(Clone, Copy)]
 struct Lens {
@@ -117,7 +120,7 @@ fn night() -> Result<Scene, Error> {
     })
 }
 
-pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
+fn render(name: &str, samples: u32) -> Result<Image, Error> {
     let Scene {
         light_along,
         lens,
@@ -132,7 +135,7 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
     let basis = Basis::new(eye, gaze, UP)?;
     let camera = perspective(eye, gaze, angle)?;
     let image = Image::from_fn(size, |column, row| {
-        let random = PixelRandom::new(crate::seed(), column, row);
+        let random = PixelRandom::new(seed(), column, row);
         let (x, y) = camera_coordinates(size, column, row, (0.5, 0.5));
         let ray = camera.ray_for(size, x, y);
         let count = lens.rays(samples);

@@ -1,9 +1,6 @@
 //! The balls of the sheet of the tree, by its rules, and their pictures by any search for the nearest one.
 
-use std::f64::consts::FRAC_PI_4;
-
-use crate::functions::*;
-use crate::workbench::{AHEAD, parallel, perspective, picture};
+use crate::*;
 
 pub struct Ball {
     pub center: [f64; 3],

@@ -1,15 +1,18 @@
 //! A tree by the median: nodes that own their children, and a function that descends into the nearer one first.
 
-use crate::ball_scenes::{self, Ball, Found};
-use crate::functions::*;
-use crate::workbench::*;
+use answers::balls::{self, Ball, Found};
+use answers::*;
 
-pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
+fn main() -> Result<(), Error> {
+    run(render)
+}
+
+fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     if scene == "tree-still" {
         return still(samples);
     }
-    let forest = Forest::new(ball_scenes::balls(scene, samples));
-    ball_scenes::draw(scene, &forest.balls, |ray| match scene {
+    let forest = Forest::new(balls::balls(scene, samples));
+    balls::draw(scene, &forest.balls, |ray| match scene {
         "tree-list" => forest.search(ray, Forest::in_list),
         _ => forest.search(ray, Forest::in_tree),
     })

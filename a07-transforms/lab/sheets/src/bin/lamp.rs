@@ -1,7 +1,10 @@
 //! A lamp with an area: a rectangle, with one sample in each square of a grid.
 
-use crate::functions::*;
-use crate::workbench::*;
+use answers::*;
+
+fn main() -> Result<(), Error> {
+    run(render)
+}
 
 /// A lamp that glows with 1 on one side and is itself not seen.
 struct Lamp {
@@ -173,7 +176,7 @@ fn staircase() -> Result<Scene, Error> {
     })
 }
 
-pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
+fn render(name: &str, samples: u32) -> Result<Image, Error> {
     let scene = match name {
         "lamp-own" => staircase(),
         _ => scene(name),
@@ -183,7 +186,7 @@ pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
         _ => &[(0.5, 0.5)],
     };
     let image = Image::from_fn(scene.size, |column, row| {
-        let random = PixelRandom::new(crate::seed(), column, row);
+        let random = PixelRandom::new(seed(), column, row);
         let mut sum = Color::BLACK;
         for place in places {
             let (x, y) = camera_coordinates(scene.size, column, row, *place);

@@ -1,7 +1,10 @@
 //! Light that has been everywhere: a path from surface to surface, and a weight that it carries along.
 
-use crate::functions::*;
-use crate::workbench::*;
+use answers::*;
+
+fn main() -> Result<(), Error> {
+    run(render)
+}
 
 /// A surface that glows, and reflects the same to all sides.
 #[derive(Clone, Copy)]
@@ -94,7 +97,7 @@ impl Scene {
     fn draw(&self) -> Result<Image, Error> {
         let size = self.size;
         Image::from_fn(size, |column, row| {
-            let random = PixelRandom::new(crate::seed(), column, row);
+            let random = PixelRandom::new(seed(), column, row);
             let mut dice = Dice { random, next: 0 };
             let mut sum = Color::BLACK;
             for _ in 0..self.paths {
@@ -197,7 +200,7 @@ fn room(paths: u32) -> Result<Scene, Error> {
     })
 }
 
-pub fn render(name: &str, samples: u32) -> Result<Image, Error> {
+fn render(name: &str, samples: u32) -> Result<Image, Error> {
     let of_depth = |reflectance, factor, size| -> Result<Scene, Error> {
         Ok(Scene {
             ends: Ends::Depth(samples),

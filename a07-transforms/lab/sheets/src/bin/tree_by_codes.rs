@@ -3,16 +3,20 @@
 
 use std::ops::Range;
 
-use crate::ball_scenes::{self, Ball, Found};
-use crate::functions::*;
+use answers::balls::{self, Ball, Found};
+use answers::*;
+
+fn main() -> Result<(), Error> {
+    run(render)
+}
 
 /// The most balls of a node that is not divided.
 const LEAF: usize = 2;
 
-pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
-    let balls = ball_scenes::balls(scene, samples);
+fn render(scene: &str, samples: u32) -> Result<Image, Error> {
+    let balls = balls::balls(scene, samples);
     let forest = Forest::new(&balls);
-    ball_scenes::draw(scene, &balls, |ray| match scene {
+    balls::draw(scene, &balls, |ray| match scene {
         "tree-list" => in_list(&balls, ray),
         _ => forest.nearest(&balls, ray),
     })

@@ -2,7 +2,11 @@
 
 use std::thread;
 
-use crate::functions::*;
+use answers::*;
+
+fn main() -> Result<(), Error> {
+    run(render)
+}
 
 type Sky = fn(Vector3) -> f64;
 
@@ -97,7 +101,7 @@ fn draw(scene: &str, samples: u32) -> Result<Image, Error> {
     } else {
         (samples, u32::MAX)
     };
-    let mut random = Random(crate::seed() ^ 0x1234_5678_9ABC_DEF1);
+    let mut random = Random(seed() ^ 0x1234_5678_9ABC_DEF1);
     Image::from_fn(Size::new(size[0], size[1])?, |column, row| {
         let [x, y] = through(column, row, size);
         let (origin, d) = match scene {
@@ -123,7 +127,7 @@ fn draw(scene: &str, samples: u32) -> Result<Image, Error> {
     })
 }
 
-pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
+fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     // Ten thousand calls within calls need more than the usual memory for them.
     thread::scope(|scope| {
         let thread = thread::Builder::new().stack_size(64 << 20);

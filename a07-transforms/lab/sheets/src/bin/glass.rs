@@ -1,9 +1,10 @@
 //! Glass by recursion: at each surface a call for the mirrored ray and one for the refracted ray.
 
-use std::f64::consts::FRAC_PI_2;
+use answers::*;
 
-use crate::functions::*;
-use crate::workbench::*;
+fn main() -> Result<(), Error> {
+    run(render)
+}
 
 /// Rays that carry less of the pixel than this are not followed.
 const MIN_WEIGHT: f64 = 1e-6;
@@ -11,7 +12,7 @@ const MIN_WEIGHT: f64 = 1e-6;
 /// The sky of the book's picture, just above the board.
 const HORIZON: Color = Color::new(0.75, 0.78, 0.8);
 
-pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
+fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     match scene {
         "glass-plate-0" => plate(0.0, 1.0, samples),
         "glass-plate-45" => plate(45.0, 1.0, samples),

@@ -1,16 +1,17 @@
 //! Patterns by many rays through each pixel: a pattern is a function from two numbers to a colour.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use answers::*;
 
-use crate::functions::*;
-use crate::workbench::*;
+fn main() -> Result<(), Error> {
+    run(render)
+}
 
 const SKY: Color = Color::new(0.3, 0.5, 0.9);
 
 /// The colour at two coordinates on a surface.
 type Pattern = fn(f64, f64) -> Color;
 
-pub fn render(scene: &str, samples: u32) -> Result<Image, Error> {
+fn render(scene: &str, samples: u32) -> Result<Image, Error> {
     match scene {
         "patterns-floor" => floor(0.0, samples),
         "patterns-far" => floor(-3e9, samples),
