@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use common::{Color, Error, Renderer, Scene, Settings};
+use common::steps::{Outcome, StepKind};
+use common::{Color, Error, PixelTrace, Renderer, Scene, Settings};
 
 use crate::Inspector;
 use crate::explained_pixel::trace_in_words;
@@ -21,6 +22,10 @@ pub struct ExplainArgs {
     /// Print JSON, for programs
     #[arg(long, conflicts_with = "beside")]
     json: bool,
+
+    /// Print only the rays and what they hit, and no colour: the rest can be computed from them
+    #[arg(long, conflicts_with_all = ["json", "beside"])]
+    rays: bool,
 
     /// Write an SVG of the first sample's rays, from the side and from above
     #[arg(long, value_name = "FILE")]
@@ -61,6 +66,9 @@ pub fn explain(scene: &Scene, inspector: Inspector, arguments: &ExplainArgs) -> 
     }
     let trace = rays.trace(&traced, pixel)?;
     let color = trace.color;
+    if arguments.rays {
+        return print(&rays_and_hits(&trace).to_string());
+    }
     print(&if arguments.json {
         trace.to_json(options.transfer)
     } else {
@@ -93,6 +101,17 @@ pub fn explain(scene: &Scene, inspector: Inspector, arguments: &ExplainArgs) -> 
     Ok(())
 }
 
+/// The steps that send a ray or find a hit.
+fn rays_and_hits(trace: &PixelTrace) -> PixelTrace {
+    let mut rays = trace.clone();
+    rays.steps.retain(|step| match step.kind {
+        StepKind::CameraRay | StepKind::ShadowRay | StepKind::ReflectedRay | StepKind::Hit => true,
+        StepKind::Test => step.outcome == Outcome::Hit,
+        _ => false,
+    });
+    rays
+}
+
 /// An error if a pixel cannot be explained with these settings.
 fn check(settings: &Settings, [x, y]: [u32; 2], arguments: &ExplainArgs) -> Result<(), Error> {
     let size = settings.size;
@@ -111,4 +130,35 @@ fn check(settings: &Settings, [x, y]: [u32; 2], arguments: &ExplainArgs) -> Resu
         return Ok(());
     };
     Err(Error::Usage(reason))
+}
+
+#[cfg(test)]
+mod tests {
+    use common::steps::Step;
+
+    use super::*;
+
+    #[test]
+    fn rays_and_hits_have_no_colour() {
+        let step = |kind, name: &str, outcome| Step {
+            outcome,
+            ..Step::new(kind, name.to_owned(), "page")
+        };
+        let trace = PixelTrace {
+            pixel: [0, 0],
+            color: Color::BLACK,
+            steps: vec![
+                step(StepKind::CameraRay, "ray", Outcome::None),
+                step(StepKind::Test, "beside", Outcome::Missed),
+                step(StepKind::Test, "ball", Outcome::Hit),
+                step(StepKind::Hit, "hit", Outcome::None),
+                step(StepKind::Light, "lamp", Outcome::None),
+                step(StepKind::Color, "colour", Outcome::None),
+                step(StepKind::ReflectedRay, "mirrored", Outcome::None),
+            ],
+        };
+        let rays = rays_and_hits(&trace);
+        let names: Vec<_> = rays.steps.iter().map(|step| &*step.name).collect();
+        assert_eq!(names, ["ray", "ball", "hit", "mirrored"]);
+    }
 }

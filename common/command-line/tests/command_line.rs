@@ -57,7 +57,7 @@ const COMMANDS: &str = "| list | show traced | show opened --no-window | show cu
 
 const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
     --transfer --open -o --output --fast --no-omit --no-window
-    --drawing --replace";
+    --drawing --rays --replace";
 
 const VALUES: &str = "0 1 4 -1 3x2 32768x32768 32769x1 1/510 1e-300 0/0 nan/0 inf center regular
     random stratified srgb a.png .. here \u{1F}a 1000001 4294967296 18446744073709551615";
