@@ -22,7 +22,7 @@ impl Inspect for Views {
         trace: &PixelTrace,
         scene: &str,
     ) -> Result<String, Error> {
-        Ok(self.view(settings)?.drawing(&trace.steps, scene))
+        Ok(self.view(settings)?.drawing(&trace.steps, scene).svg)
     }
 
     fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error> {

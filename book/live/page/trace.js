@@ -123,14 +123,15 @@ live.Trace = class {
         if (this.drawn !== sample) {
             this.drawn = sample;
             const { picture, pixel } = this;
-            const { text } = await live.ask(`drawing ${picture.name}`, [...picture.numbers(), ...pixel, sample]);
-            // Both views are in one drawing, beside each other, with a list of objects below.
-            const height = 400 + 9 * text.split('"key').length;
-            const views = [0, 495].map((left) => text.replace(/viewBox="[^"]*" width="[^"]*" height="[^"]*"/, `viewBox="${left} 0 495 ${height}"`));
-            this.shadow.innerHTML = `${views.join('')}<style>
+            const { text, views } = await live.ask(`drawing ${picture.name}`, [...picture.numbers(), ...pixel, sample]);
+            this.shadow.innerHTML = `${text}${text}<style>
                 :host { display: flex; flex-wrap: wrap }
-                svg { flex: 1 1 18em; min-width: 0; font-size: 15px !important }
+                svg { flex: 1 1 18em; width: auto; height: auto; min-width: 0; font-size: 15px !important }
             </style><style></style>`;
+            // Both views are in one drawing, beside each other.
+            for (const [index, svg] of [...this.shadow.querySelectorAll('svg')].entries()) {
+                svg.setAttribute('viewBox', views.slice(4 * index, 4 * index + 4).join(' '));
+            }
         }
         // The first drawing may still be on its way.
         if (this.shadow.lastChild) {
@@ -139,10 +140,9 @@ live.Trace = class {
     }
 
     // A step: its name, which leads to its section, outcome, numbers and formula.
-    step({ level, kind, name, outcome, values, section }) {
-        const type = name.split(/[ :]+/).at(-1).replace('Reflective', 'Phong');
+    step({ level, kind, name, about, outcome, values, section }) {
         const { formulas } = live.Trace;
-        const formula = formulas[`${kind} of ${type}`] ?? formulas[kind] ?? formulas[type] ?? '';
+        const formula = formulas[`${kind} of ${about}`] ?? formulas[kind] ?? formulas[about] ?? '';
         const numbers = Object.entries(values).map(([symbol, list]) => {
             const shown = list.map(live.show);
             return live.element('span', {}, `${symbol} = ${list.length === 1 ? shown : `(${shown.join(', ')})`}`);

@@ -67,14 +67,17 @@ pub fn trace(picture: &str, numbers: &[f64]) -> Answered {
     traced(picture, numbers).map(|trace| Answer::text(trace.to_json(Transfer::Linear)))
 }
 
-/// The rays of a sample, whose number from 0 follows the pixel, as SVG.
+/// The rays of a sample, whose number from 0 follows the pixel, as SVG, and the places of its views.
 pub fn drawing(picture: &str, numbers: &[f64]) -> Answered {
     let steps = traced(picture, numbers)?.steps;
     let sample = numbers.get(12).map_or(0, |sample| *sample as usize);
     let sample = steps.chunk_by(|_, next| next.level > 0).nth(sample);
     let (_, view) = view(picture, numbers)?;
-    let drawing = view.map(|view| view.drawing(sample.unwrap_or_default(), "the picture"));
-    Ok(Answer::text(drawing.unwrap_or_default()))
+    let painted = || Error::Usage("a painted picture has no rays".to_owned());
+    let drawing = view
+        .ok_or_else(painted)?
+        .drawing(sample.unwrap_or_default(), "the picture");
+    Ok(Answer::text(drawing.svg).with("views", drawing.views.into_iter().flatten()))
 }
 
 /// The scene of a picture as a scene file.

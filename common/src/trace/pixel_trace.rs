@@ -59,14 +59,15 @@ impl PixelTrace {
             text.replace("inf", "null").replace("NaN", "null")
         };
         let step = |step: &Step| {
-            let (level, kind, name) = (step.level, step.kind.word(), &step.name);
+            let (level, kind, name, about) =
+                (step.level, step.kind.word(), &step.name, &step.about);
             let (outcome, section) = (step.outcome.to_string(), step.section);
             let values = step.values.iter();
             let values = values.map(|(symbol, value)| format!("{symbol:?}: {}", numbers(value)));
             let values = values.collect::<Vec<_>>().join(", ");
             // Names have no characters that Rust and JSON escape differently.
             format!(
-                r#"{{"level": {level}, "kind": {kind:?}, "name": {name:?}, "outcome": {outcome:?}, "values": {{{values}}}, "section": {section:?}}}"#
+                r#"{{"level": {level}, "kind": {kind:?}, "name": {name:?}, "about": {about:?}, "outcome": {outcome:?}, "values": {{{values}}}, "section": {section:?}}}"#
             )
         };
         let steps = self.steps.iter().map(step).collect::<Vec<_>>().join(",\n");
@@ -158,11 +159,15 @@ mod tests {
         let trace = PixelTrace {
             pixel: [1, 2],
             color: Color::gray(0.5),
-            steps: vec![Step::new(StepKind::Mean, "a", "").with("x", numbers)],
+            steps: vec![
+                Step::new(StepKind::Mean, "a", "")
+                    .about("Sphere")
+                    .with("x", numbers),
+            ],
         };
         let json = [
             r#"{"pixel": [1, 2], "color": [0.5, 0.5, 0.5], "bytes": [128, 128, 128], "steps": ["#,
-            r#"{"level": 0, "kind": "mean", "name": "a", "outcome": "", "values": {"x": [0.3333333333333333, null, 1.5e-7]}, "section": ""}"#,
+            r#"{"level": 0, "kind": "mean", "name": "a", "about": "Sphere", "outcome": "", "values": {"x": [0.3333333333333333, null, 1.5e-7]}, "section": ""}"#,
             "]}",
         ];
         assert_eq!(trace.to_json(Transfer::Linear), json.join("\n"));

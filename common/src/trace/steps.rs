@@ -30,6 +30,8 @@ pub struct Step {
     pub number: Option<usize>,
     /// The name of the step, which distinguishes it from the steps beside it.
     pub name: String,
+    /// The type of the object, the light or the material that the step is about; empty if it is about none.
+    pub about: String,
     /// The outcome of a test or of a light.
     pub outcome: Outcome,
     /// Numbers, points, vectors and colours, by the symbols of the book.
@@ -47,10 +49,18 @@ impl Step {
             kind,
             number: None,
             name: name.into(),
+            about: String::new(),
             outcome: Outcome::None,
             values: Vec::new(),
             section,
         }
+    }
+
+    /// This step about something of a type.
+    #[must_use]
+    pub fn about(mut self, type_name: impl Into<String>) -> Self {
+        self.about = type_name.into();
+        self
     }
 
     /// This step about the thing of a number.

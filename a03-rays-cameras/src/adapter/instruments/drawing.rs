@@ -18,6 +18,9 @@ const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 360.0;
 const CELL: f64 = 3.0;
 
+/// The height of the name of an object.
+const KEY: f64 = 18.0;
+
 /// A line of the drawing.
 pub struct Line {
     /// Its ends.
@@ -145,7 +148,8 @@ impl Projection<'_> {
         objects
     }
 
-    fn draw(&self, svg: &mut Svg, title: &str, lines: &Lines) {
+    /// Draws the view, and returns its height with the names of its objects.
+    fn draw(&self, svg: &mut Svg, title: &str, lines: &Lines) -> f64 {
         let [left, top] = self.corner;
         svg.text("", [left, top - 10.0], title);
         let objects = self.objects().into_iter();
@@ -153,10 +157,11 @@ impl Projection<'_> {
             .map(|(number, path)| (self.world.object_name(number), number, path))
             .collect();
         objects.sort();
+        let height = top + HEIGHT + KEY * objects.len() as f64 + 10.0;
         for (i, (name, number, path)) in (1..).zip(objects) {
             let color = color(number);
             svg.path(&format!("object {color}"), &path);
-            let y = top + HEIGHT + 18.0 * f64::from(i);
+            let y = top + HEIGHT + KEY * f64::from(i);
             svg.line(&format!("key {color}"), &[[left, y], [left + 12.0, y]]);
             svg.text("", [left + 18.0, y + 5.0], &name);
         }
@@ -169,20 +174,29 @@ impl Projection<'_> {
             // Eye and light are often at the same place.
             svg.text("", [x, y + 16.0 * f64::from(i)], name);
         }
+        height
     }
+}
+
+/// A drawing of two views beside each other.
+pub struct Drawing {
+    /// The file.
+    pub svg: String,
+    /// Left, top, width and height in it of the view from the side, and of that from above.
+    pub views: [[f64; 4]; 2],
 }
 
 impl View {
     /// The rays of the first sample of these steps from the side and from above, as SVG, whose
     /// title has a name of the scene.
     #[must_use]
-    pub fn drawing(&self, steps: &[Step], name: &str) -> String {
-        svg(&*self.world, steps, name)
+    pub fn drawing(&self, steps: &[Step], name: &str) -> Drawing {
+        draw(&*self.world, steps, name)
     }
 }
 
 /// The rays of the first sample of a trace, in a world.
-fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
+fn draw(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> Drawing {
     let lines = Lines::new(trace);
     let points = lines.lines.iter().flat_map(|line| line.ends);
     let points = points.map(Point3::to_glam);
@@ -203,7 +217,7 @@ fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
         [x, -z, y],
         WIDTH + 20.0,
     );
-    for (title, axes, left) in [side, above] {
+    let views = [side, above].map(|(title, axes, left)| {
         let projection = Projection {
             world,
             axes,
@@ -211,7 +225,11 @@ fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
             pixel,
             corner: [left, 30.0],
         };
-        projection.draw(&mut svg, title, &lines);
+        let height = projection.draw(&mut svg, title, &lines);
+        [left - 5.0, 0.0, WIDTH + 10.0, height]
+    });
+    Drawing {
+        svg: svg.finish(),
+        views,
     }
-    svg.finish()
 }

@@ -5,7 +5,7 @@ use std::mem;
 use a02_math::arrays::array;
 use a03_rays_cameras::Ray;
 use common::Color;
-use common::steps::{self, Outcome, Step, StepKind};
+use common::steps::{self, Outcome, Step, StepKind, type_name};
 
 use crate::instruments::objects;
 use crate::registry::{Content, ShapeKind, ShapeRow, Shapes};
@@ -107,7 +107,9 @@ impl InstrumentedGeometry {
             min: f64::NEG_INFINITY,
             ..Interval::AHEAD
         };
-        let mut step = Step::new(step_kind, &*self.name, section).numbered(self.number);
+        let mut step = Step::new(step_kind, &*self.name, section)
+            .about(type_name(&*self.geometry))
+            .numbered(self.number);
         step.outcome = Outcome::Missed;
         for (interval, outcome) in [
             (within, Outcome::Hit),

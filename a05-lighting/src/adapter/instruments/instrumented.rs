@@ -74,7 +74,9 @@ impl Light for InstrumentedLight {
 pub fn push_light(number: usize, type_name: &str, light: Option<Illumination>) {
     steps::heading(StepKind::Light, |kind| {
         let name = format!("light {number}: {type_name}");
-        let step = Step::new(kind, name, "a05-lighting.md#three-lights").numbered(number);
+        let step = Step::new(kind, name, "a05-lighting.md#three-lights")
+            .about(type_name)
+            .numbered(number);
         match light {
             Some(light) => step
                 .with("cl", light.color.channels())

@@ -245,6 +245,20 @@ fn a_pixel_is_traced_to_the_surface_of_the_sphere() {
     assert_eq!(error, "the pixel is not in 641x481 pixels");
 }
 
+/// The balls of `sphere` mirror, and are of a Phong material otherwise.
+#[test]
+fn a_step_says_by_which_type_the_page_finds_its_formula() {
+    let picture = [640.0, 480.0, 1.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 1.0];
+    let numbers = [&picture[..], &[320.0, 240.0]].concat();
+    let text = ask("trace a06-shadows-reflection-sphere", &numbers).text;
+    for fields in [
+        r#"Sphere", "about": "Sphere""#,
+        r#""name": "colour of Reflective", "about": "Phong""#,
+    ] {
+        assert!(text.contains(fields), "no {fields} in {text}");
+    }
+}
+
 /// From (0, 0, 3) along -z to the sphere: 2 away. The second line is wrong.
 #[test]
 fn a_scene_file_is_a_picture() {

@@ -100,10 +100,14 @@ pub fn shaded(
     })
 }
 
-/// The step of a part of a material's colour.
+/// The step of a part of a material's colour. A material that mirrors is about the Phong material in it.
 fn step(kind: StepKind, part: &str, rows: Materials, material: &dyn Material) -> Step {
     let name = format!("{part} of {}", type_name(material));
-    Step::new(kind, name, rows.section(material))
+    let about = match rows.as_phong(material) {
+        Some(phong) => type_name(phong),
+        None => type_name(material),
+    };
+    Step::new(kind, name, rows.section(material)).about(about)
 }
 
 impl InstrumentedMaterial {
