@@ -14,14 +14,16 @@ pub struct Sweep {
     pub computes: &'static str,
     /// What the picture shows.
     pub shows: &'static str,
-    /// Its stage, and the cases of `extremes` there that are points of it.
+    /// Its stage.
     pub stage: &'static str,
-    pub cases: &'static str,
     /// The powers of ten of the number, from the first to the last, and the one that is harmless.
     pub powers: [f64; 2],
     pub harmless: f64,
     /// From one power to the next.
     pub step: f64,
+    /// The length 1 of the problem, in which errors are drawn where the last place of the answer is no fixed
+    /// length: it grows with the number that is turned.
+    pub unit: Option<&'static str>,
     /// The exercise that asks the same, if there is one.
     pub exercise: Option<Exercise>,
     /// The problem for a value of the number.
@@ -72,6 +74,13 @@ impl Point {
             condition: condition(given, answer),
             found,
         }
+    }
+
+    /// The error of the answer, in units in its last place, if each given number is off by the largest rounding,
+    /// a part of 2⁻⁵³.
+    #[must_use]
+    pub fn allowed(&self) -> f64 {
+        self.condition * self.size.abs() * (f64::EPSILON / 2.0) / ulp(self.size)
     }
 
     /// The error of an answer, in units in the last place; infinite without an answer.

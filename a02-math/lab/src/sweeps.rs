@@ -13,10 +13,10 @@ pub const ANGLE: Sweep = Sweep {
     computes: "the angle between (1, 0, 0) and (1, t, 0), in radians",
     shows: "A target around the first vector: each ring is a fifth of the angle wide.",
     stage: "a02-math",
-    cases: "F03, F04, F40",
     powers: [0.0, -16.0],
     harmless: 0.0,
     step: 0.25,
+    unit: None,
     exercise: Some(Exercise {
         name: "angle",
         part: "",

@@ -49,10 +49,10 @@ pub const SPOT: Sweep = Sweep {
     computes: "the radius of its light on a wall at the distance 1",
     shows: "The light on the wall, enlarged until it should fill five eighths of the width.",
     stage: "a05-lighting",
-    cases: "F41, F42, F43",
     powers: [0.0, -10.0],
     harmless: 0.0,
     step: 0.25,
+    unit: None,
     exercise: None,
     at: |half_angle| Point::of(&[half_angle], |x| tangent(x[0]), edge(half_angle)),
     picture: |half_angle, place| {

@@ -25,10 +25,10 @@ pub const STRETCHED: Sweep = Sweep {
     computes: "the greatest number of |M I - 1|, where I is the inverse of the matrix M",
     shows: "A chessboard whose points went there by M and back by I.",
     stage: "a07-transforms",
-    cases: "G05, G06, G33",
     powers: [0.0, 16.0],
     harmless: 0.0,
     step: 0.25,
+    unit: None,
     exercise: None,
     at: |factor| {
         let defect = |[m, i]: [Mat4x4; 2]| greatest(off_identity(m, i));

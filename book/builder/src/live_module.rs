@@ -24,7 +24,7 @@ pub const FLAGS: &str = r#"--cfg getrandom_backend="unsupported" -C target-featu
 /// Scripts of the pages, in the order in which they depend on each other. The hashes of the
 /// locked pictures, recorded curves and the reader's exercises stand between them, and the figures behind them.
 const BASE: [&str; 3] = ["binding", "worker", "live"];
-const PARTS: [&str; 19] = [
+const PARTS: [&str; 18] = [
     "picture",
     "trace",
     "marks",
@@ -40,7 +40,6 @@ const PARTS: [&str; 19] = [
     "follow",
     "work-precision",
     "measure",
-    "cases",
     "extremes",
     "left-out",
     "words",

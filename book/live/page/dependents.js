@@ -119,7 +119,7 @@ live.Dependents = class {
         }
     }
 
-    say(found, strengths, [width, height]) {
+    say(found, strengths, [width]) {
         const [{ line, table, key }] = found;
         const name = found.length > 1 ? key.replace(/ \S+$/, '') : key;
         const of = found.every((number) => number.table === table) ? `, ${name} of ${table}` : '';

@@ -3,14 +3,13 @@
 live.Extremes = class {
     // Where the powers of ten and the errors lie in the drawing: from below 1 ulp to no answer.
     static area = { x: [-1.5, 11.2], y: [-1.1, 7.6] };
-    static errors = [-1, 17];
+    static errors = { ulp: [-1, 17], radii: [-17, 1] };
     static none = 6.8;
 
     // Takes the place of the picture that shows recorded errors.
     constructor(image) {
         this.problem = live.select('problem', [], () => this.choose().catch(this.complain));
-        this.drawing = new live.Drawing(live.Extremes.area, 'errors in ulp');
-        this.handle = this.drawing.handle({ 'aria-hidden': true }, ([x]) => this.turn(Math.round((x / 10) * this.knob.max)));
+        this.drawing = new live.Drawing(live.Extremes.area, 'errors');
         this.knob = live.element('input', { type: 'range', min: 0, oninput: () => this.turn(Number(this.knob.value)) });
         this.at = live.element('output');
         this.question = live.div('live-asked');
@@ -19,8 +18,8 @@ live.Extremes = class {
         this.shown = live.element('figcaption');
         this.poster = live.poster(image.src);
         const beside = live.div('live-beside', this.canvas, live.div('live-both', live.element('span', {}, 'protocol’s'), live.element('span', {}, 'ours')), this.shown);
-        const hint = 'The band is what the problem allows: its condition times half an ulp. Higher up, a formula loses digits that it could have kept. At the line “half” about eight of sixteen digits are wrong; at “none” there is no answer.';
-        this.root = live.panel('Where does it break?', hint,
+        const hint = 'The band is what the problem allows: how far its answer moves when the given numbers are rounded. Higher up, a formula loses digits that it could have kept. At the line “half” about eight of sixteen digits are wrong; at “none” there is no answer.';
+        this.root = live.panel('Where does it break?', live.fold('How to read it', hint),
             live.div('live-controls', this.problem), this.question,
             live.div('live-drawings', this.drawing.svg, beside, this.poster),
             live.div('live-controls live-turned', this.knob, this.at), this.digits);
@@ -29,15 +28,13 @@ live.Extremes = class {
         live.caption(image).after(this.root);
         live.stillOf(image);
         live.caption(image).classList.add('live-still');
-        this.cases = new live.Cases(this.root);
         live.seen(this.root, () => (this.ready ??= this.start().catch(this.complain)));
     }
 
     async start() {
-        const { text, ...lists } = await live.ask('sweeps');
-        const ranges = live.rows(lists, 'first', 'last', 'harmless', 'step');
-        const words = live.lines(text, 'name', 'parameter', 'computes', 'shows', 'stage', 'cases', 'exercise');
-        this.problems = words.map((problem, index) => ({ ...problem, ...ranges[index] }));
+        const answer = await live.ask('sweeps');
+        const ranges = live.rows(answer, 'range');
+        this.problems = live.lines(answer.text).map((problem, index) => ({ ...problem, ...ranges[index] }));
         this.problem.append(...this.problems.map(({ parameter }, value) => live.element('option', { value }, parameter)));
         await this.choose();
     }
@@ -62,8 +59,6 @@ live.Extremes = class {
         delete this.root.dataset.error;
         this.knob.max = this.place(now.last);
         this.knob.setAttribute('aria-label', now.parameter);
-        this.cases.stage.value = now.stage;
-        this.cases.filter.value = now.cases;
         now.question ??= this.ask(now);
         this.question.replaceChildren(now.question);
         await this.turn(this.place(now.harmless));
@@ -100,18 +95,21 @@ live.Extremes = class {
         const [breaks] = this.errors.breaks;
         if (breaks === undefined) {
             this.turn(this.knob.value);
-            return 'It never does. The problem itself loses the digits: the band rises with the curves.';
+            return `${guess === Infinity ? 'Yes' : 'No'}, it never does. The problem itself loses the digits: the band rises with the curves.`;
         }
-        this.turn(this.place(breaks));
-        return `${Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly: at' : 'At'} 10 to the ${breaks}, where the knob is now.`;
+        const at = this.place(breaks);
+        this.turn(at);
+        const { protocol, allowed } = this.errors;
+        return `${Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly' : 'No'}: at 10 to the ${breaks}, where the knob is now. There it ${this.off(protocol[at])}, and the problem allows ${this.count(allowed[at])}.`;
     }
 
-    static count(error) {
-        return `${Number(error.toPrecision(2)).toLocaleString('en', error < 1e6 ? { maximumSignificantDigits: 2 } : { notation: 'scientific' })} ulp`;
+    count(error) {
+        const digits = Number(error.toPrecision(error < 1e6 ? 2 : 4));
+        return `${digits.toLocaleString('en', error >= 1e6 || error < 1e-3 ? { notation: 'scientific', maximumFractionDigits: 3 } : { maximumSignificantDigits: 2 })} ${this.now.unit}`;
     }
 
-    static ulps(error) {
-        return Number.isFinite(error) ? `is off by ${live.Extremes.count(error)}` : 'finds nothing';
+    off(error) {
+        return Number.isFinite(error) ? `is off by ${this.count(error)}` : 'finds nothing';
     }
 
     turn(place) {
@@ -134,9 +132,9 @@ live.Extremes = class {
             live.element('dt', {}, name),
             live.element('dd', {}, live.element('code', {}, number.slice(0, right), live.element('mark', {}, number.slice(right))), ` ${error}`),
         ];
-        const error = (index) => live.Extremes.ulps(answer.errors[index]);
+        const error = (index) => this.off(answer.errors[index]);
         this.digits.replaceChildren(
-            ...row('exact', exact, exact.length, `the problem allows ${live.Extremes.count(answer.allowed[0])}`),
+            ...row('exact', exact, exact.length, `the problem allows ${this.count(answer.allowed[0])}`),
             ...(now.isKnown ? row('protocol', theirs, answer.right[0], error(0)) : row('protocol', '', 0, 'after your guess')),
             ...row('ours', ours, answer.right[1], error(1)));
         this.poster.remove();
@@ -144,8 +142,9 @@ live.Extremes = class {
     }
 
     draw(power) {
-        const { area, errors: [least, most], none } = live.Extremes;
+        const { area, none } = live.Extremes;
         const { now, errors } = this;
+        const [least, most] = live.Extremes.errors[now.unit];
         const pen = new live.Pen(area);
         const top = none - 0.5;
         const x = (at) => (10 * (at - now.first)) / (now.last - now.first);
@@ -153,7 +152,9 @@ live.Extremes = class {
         const places = (list) => list.map((error, index) => [x(errors.powers[index]), y(error)]);
         const at = this.place(power);
         pen.path([[0, 0], ...places(errors.allowed), [10, 0]], 'pale a', true);
-        const levels = { '1 ulp': 1, '10⁴': 1e4, half: errors.broken[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity };
+        const levels = now.unit === 'ulp'
+            ? { '1 ulp': 1, '10⁴': 1e4, half: errors.broken[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity }
+            : { '10⁻¹⁶': 1e-16, '10⁻¹²': 1e-12, '10⁻⁸': 1e-8, '10⁻⁴': 1e-4, '1 radius': 1, none: Infinity };
         pen.grid(1, Object.entries(levels).map(([words, error]) => [y(error), words]));
         const steps = Math.abs(now.last - now.first) > 50 ? 100 : 4;
         const ticks = errors.powers.filter((tick) => tick % steps === 0);
@@ -174,8 +175,7 @@ live.Extremes = class {
         pen.text([0.2, none - 2.8], 'allowed', 'a');
         pen.line([x(power), 0], [x(power), none], 'ink');
         this.drawing.show(pen);
-        this.drawing.place(this.handle, [x(power), 0]);
-        this.drawing.svg.setAttribute('aria-label', `Errors in ulp against the ${now.parameter}; here ours ${live.Extremes.ulps(errors.ours[at])}`);
+        this.drawing.svg.setAttribute('aria-label', `Errors in ${now.unit} against the ${now.parameter}; here ours ${this.off(errors.ours[at])}`);
     }
 
     // A power of ten.

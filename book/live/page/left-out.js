@@ -1,13 +1,15 @@
 // Switch it off: each omission of the lesson is a switch. Work is counted at once, the bytes are compared, and times
 // are measured in turns.
 live.LeftOut = class {
-    static scenes = ['a05-lighting-phong', 'a06-shadows-reflection-sphere', 'a06-shadows-reflection-aab', 'a07-transforms-box-transformations'];
+    static scenes = ['a05-lighting-phong', 'a06-shadows-reflection-sphere', 'a07-transforms-box-transformations', 'a07-transforms-disc'];
 
     constructor(heading) {
         // The editor's scene, in the link that leads here.
         const linked = live.linkedScene();
         const own = linked ? [[linked, 'the scene of the editor']] : [];
-        this.scene = live.select('scene', [...own, ...live.LeftOut.scenes.map((name) => [name, name])], () => this.open());
+        const { textContent } = document.querySelector('main code.language-toml');
+        const scenes = live.LeftOut.scenes.map((name) => [name, name]);
+        this.scene = live.select('scene', [...own, ...scenes, [`file\n${textContent}`, 'a hundred balls, as below']], () => this.open());
         this.engine = live.element('input', { type: 'checkbox', onchange: () => this.open() });
         this.question = live.div('live-asked');
         this.switches = live.element('ol', { className: 'live-switches' });
@@ -16,49 +18,45 @@ live.LeftOut = class {
         this.bytes = live.element('output');
         this.counts = live.element('table', { className: 'live-counts' });
         this.run = new live.Run('time it, in turns', () => this.compare());
-        const hint = 'For a scene of your own, follow the link “what does it leave out?” of the editor. Counted in a picture of at most 96 pixels in width, with the scene’s samples and depth, as the command “render --explain” counts. A switch that is off does its work, and all switches that are off do theirs together. The engine adds its tree and its packets of rays.';
-        this.root = live.panel('Switch it off', hint,
+        const hint = 'For a scene of your own, follow the link “what does it leave out?” of the editor. Counted in a picture of at most 96 pixels in width, with the scene’s samples and depth, as the command “render --explain” counts: the switches go off one after the other, from the first, so that what they save adds up to all work. Where two of them leave out the same ray, the later one has it.';
+        this.root = live.panel('Switch it off', live.fold('How it is counted', hint),
             live.div('live-controls', this.scene, ' ', live.element('label', {}, this.engine, ' by the engine')),
             this.question,
             live.div('live-drawings', live.div('live-beside', live.div('', this.canvas, this.poster), this.bytes), this.counts),
-            this.switches,
+            'Leave out', this.switches,
             live.div('live-controls', ...this.run.controls));
         this.complain = live.failure(this);
         this.update = live.newest(() => this.count(), this.complain);
         // The questions of scenes and renderers, and those that are answered.
         this.questions = {};
         this.answered = new Set();
-        this.showTables();
         heading.nextElementSibling.after(this.root);
         live.seen(this.root, () => (this.ready ??= this.open()));
-    }
-
-    // Until the module has come: the numbers and the words of the page's own tables.
-    showTables() {
-        const tables = [...document.querySelectorAll('main table')].map(({ rows }) => [...rows].map(({ cells }) => [...cells].map(({ textContent }) => textContent)));
-        const [[, ...kinds], ...scenes] = tables.find(([head]) => head[1] === 'primary rays');
-        const [, ...counts] = scenes.find(([name]) => name === 'a05 phong');
-        const [done, all] = [0, -1].map((which) => counts.map((count) => Number(count.split(' of ').at(which))));
-        const [, ...omissions] = tables.find(([head]) => head[0] === 'left out');
-        this.work = { done, all };
-        this.take(kinds, omissions.map(([words, because]) => ({ words, because })));
-        this.show(done);
     }
 
     // Another scene or another renderer: all switches are on.
     async open() {
         delete this.root.dataset.error;
-        await this.run.stop();
+        await this.run.forget();
         this.run.status.value = '';
         try {
             this.work = await live.ask(`work ${this.scene.value}`, this.numbers());
         } catch (error) {
             return this.complain(error);
         }
-        const [kinds, ...lines] = this.work.text.split('\n').map((line) => line.split('\t'));
-        const { length } = kinds;
-        this.take(kinds, lines.map(([words, because], index) =>
-            ({ words, because, bit: this.work.bits[index], alone: this.work.alone.slice(index * length, (index + 1) * length) })));
+        const { text, bits, saved } = this.work;
+        const [kinds, ...lines] = text.split('\n');
+        this.kinds = kinds.split('\t');
+        const { length } = this.kinds;
+        this.omissions = lines.map((words, index) => ({
+            words,
+            bit: bits[index],
+            saved: saved.slice(index * length, (index + 1) * length),
+            box: live.element('input', { type: 'checkbox', checked: true, onchange: () => this.run.forget().then(this.update) }),
+            saves: live.element('span'),
+        }));
+        this.switches.replaceChildren(...this.omissions.map(({ words, box, saves }) =>
+            live.element('li', {}, live.element('label', {}, box, ` ${words}`, saves))));
         this.question.replaceChildren(this.questions[this.key] ??= this.ask());
         return this.update();
     }
@@ -72,34 +70,23 @@ live.LeftOut = class {
         return `${this.engine.checked} ${this.scene.value}`;
     }
 
-    // The kinds of work, and the omissions, each with its switch.
-    take(kinds, omissions) {
-        this.kinds = kinds;
-        this.omissions = omissions.map((omission) => {
-            const box = live.element('input', { type: 'checkbox', checked: true, disabled: !omission.alone, onchange: () => this.update() });
-            return { ...omission, box, saves: live.element('span') };
-        });
-        this.switches.replaceChildren(...this.omissions.map(({ words, because, box, saves }) =>
-            live.element('li', {}, live.element('label', {}, box, ` Leave out ${words}: ${because}.`, saves))));
-    }
-
     inWords(counts) {
         const words = this.kinds.flatMap((kind, index) => (counts[index] ? [`${counts[index].toLocaleString('en')} ${kind}`] : []));
         return words.join(', ') || 'nothing';
     }
 
-    // A prediction first; then the switches say what each saves alone.
+    // A prediction first; then the switches say what each saves.
     ask() {
         const { key, omissions } = this;
-        const sums = omissions.map(({ alone }) => alone.reduce((sum, count) => sum + count, 0));
+        const sums = omissions.map(({ saved }) => saved.reduce((sum, count) => sum + count, 0));
         const most = Math.max(...sums);
-        const right = most ? sums.indexOf(most) : omissions.length;
-        const because = most ? `it saves ${this.inWords(omissions[right].alone)}.` : 'this scene needs all of the work.';
         const choices = [...omissions.map((_, index) => index + 1), 'none'];
+        const right = most ? choices.filter((_, index) => sums[index] === most) : ['none'];
+        const because = most ? right.map((choice) => `${choice} saves ${this.inWords(omissions[choice - 1].saved)}`).join(', and ') : 'this scene needs all of the work';
         return live.question('Which switch saves most rays, tests and powers in this scene?', choices, (guess) => {
             this.answered.add(key);
             this.update();
-            return `${guess === right ? 'Yes' : 'No'}, ${choices[right]}: ${because}`;
+            return `${right.includes(choices[guess]) ? 'Yes' : 'No'}: ${because}.`;
         });
     }
 
@@ -132,8 +119,8 @@ live.LeftOut = class {
             return most || least ? row(kind, [least.toLocaleString('en'), live.element('span', {}, now.toLocaleString('en'), ' ', meter), known]) : '';
         });
         this.counts.replaceChildren(row('', ['all on', 'yours', 'all work'], 'th'), ...rows);
-        for (const { alone, saves } of this.omissions) {
-            saves.textContent = isAnswered ? ` Saves ${this.inWords(alone)}.` : '';
+        for (const { saved, saves } of this.omissions) {
+            saves.textContent = isAnswered && saved.some(Boolean) ? `: saves ${this.inWords(saved)}` : '';
         }
     }
 
@@ -142,8 +129,8 @@ live.LeftOut = class {
         let quotients;
         let base;
         const methods = `|left-out ${this.scene.value}`;
-        const measured = await this.run.turns(methods, this.numbers(this.putBack), 30, ({ seconds }, lines) => {
-            [base] = seconds;
+        const measured = await this.run.turns(methods, this.numbers(this.putBack), 30, ([{ seconds }], lines) => {
+            base = seconds;
             quotients = lines.map(({ quotient }) => (/^no /.test(quotient) ? `makes ${quotient}` : `takes ${quotient} times as long`));
         });
         const beside = this.engine.checked ? 'by the lesson' : 'with all switches on';

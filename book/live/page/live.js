@@ -120,13 +120,18 @@ live.failure = (figure) => ({ message }) => (figure.root.dataset.error = message
 // Shows errors in an element.
 live.complain = (element) => ({ message }) => (element.textContent = message);
 
-// The rows of a text: lines of cells, which have these names.
-live.lines = (text, ...names) =>
-    text.split('\n').map((line) => Object.fromEntries(line.split('\t').map((cell, at) => [names[at], cell])));
+// The rows of a text: lines of cells, below a line of their names.
+live.lines = (text) => {
+    const [names, ...rows] = text.split('\n').map((line) => line.split('\t'));
+    return rows.map((row) => Object.fromEntries(names.map((name, at) => [name, row[at]])));
+};
 
-// The rows of an answer whose lists are columns.
-live.rows = (answer, ...names) =>
-    answer[names[0]].map((_, row) => Object.fromEntries(names.map((name) => [name, answer[name][row]])));
+// The rows of a table of an answer, whose columns are the lists `TABLE.NAME`.
+live.rows = (answer, table) => {
+    const columns = Object.keys(answer).filter((list) => list.startsWith(`${table}.`));
+    const row = (at) => Object.fromEntries(columns.map((list) => [list.slice(table.length + 1), answer[list][at]]));
+    return (answer[columns[0]] ?? []).map((_, at) => row(at));
+};
 
 // Says when an element is about to be seen, and when it no longer is. The module is loaded for one that is.
 live.seen = (element, say) =>
@@ -163,13 +168,18 @@ live.button = (words, onclick) => live.element('button', { type: 'button', oncli
 live.select = (label, choices, onchange) =>
     live.element('select', { 'aria-label': label, onchange }, ...choices.map(([value, words]) => live.element('option', { value }, words)));
 
-// A question with a button for each choice. `answer` gets the number of the choice; what it says ends the question.
+// Words that a reader unfolds.
+live.fold = (summary, ...content) => live.element('details', {}, live.element('summary', {}, summary), ...content);
+
+// A question with a button for each choice. `answer` gets the number of the choice; what it says ends the question,
+// and the choice alone remains.
 live.question = (text, choices, answer) => {
     const verdict = live.element('output');
     const buttons = choices.map((choice, chosen) => live.button(choice, () => {
         verdict.value = answer(chosen) ?? '';
         buttons.forEach((button, index) => {
             button.disabled = verdict.value !== '';
+            button.hidden = button.disabled && index !== chosen;
             button.classList.toggle('live-chosen', index === chosen);
         });
     }));

@@ -23,14 +23,13 @@ live.Measure = class {
         this.diagram = new live.WorkPrecision(
             live.newest((point) => this.show(point), live.complain(this.caption)),
             live.newest((error) => this.answer(error), ({ message }) => this.say(message)));
-        const hint = 'Farther left is faster, farther down is more exact. Thin: recorded on another machine. A bar is an interval of 95 %; large marks are on the Pareto front. A browser tells the time on the wall, in which your machine may do other work, too. '
+        const hint = 'Farther left is faster, farther down more exact. Thin: recorded on another machine; before your guess only what one sample per pixel costs. A bar is an interval of 95 %; large marks are on the Pareto front. A browser tells the time on the wall, in which your machine may do other work, too. '
             + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
-        this.root = live.panel('Which method reaches your error soonest, here?', hint,
+        this.root = live.panel('Which method reaches your error soonest, here?', live.fold('How to read it', hint),
             live.div('live-controls', this.subject, ' ', this.methods),
             this.question,
             live.div('live-controls', ...this.run.controls),
-            live.div('live-drawings', this.diagram.svg),
-            this.verdict, this.slopes, this.shown);
+            live.div('live-drawings', this.diagram.svg, live.div('live-told', this.verdict, this.slopes, this.shown)));
         before.before(this.root);
         addEventListener('hashchange', () => this.open());
         this.choose();
@@ -48,20 +47,21 @@ live.Measure = class {
 
     // A subject has its methods, its question and its recorded curves.
     async choose() {
-        await this.run.stop();
+        await this.run.forget();
         const { value } = this.subject;
         this.clear();
         const names = value.startsWith('samples-') ? live.Measure.pixels : live.Measure.pictures;
         this.methods.replaceChildren(...names.map((name) => live.element('label', {},
-            live.element('input', { type: 'checkbox', checked: true, value: name, onchange: () => this.draw() }), live.WorkPrecision.key(name), name)));
+            live.element('input', { type: 'checkbox', checked: true, value: name, onchange: () => this.run.forget().then(() => this.draw()) }), live.WorkPrecision.key(name), name)));
         this.recorded = live.recorded[value] ?? [];
         this.name = value === 'file' ? live.linkedScene() : value;
-        this.run.start.disabled = true;
         this.run.status.replaceChildren(...(this.name ? [] : ['Write a scene in ', live.element('a', { href: 'scene-editor.html' }, 'the editor'), ', and follow its link “how many samples does it need?”.']));
+        this.run.start.hidden = !this.name;
         this.guess = undefined;
-        this.question.replaceChildren(live.question('Your guess: which of them comes down to an error of 1/510, half a grey level, soonest on your machine?', names, (index) => {
+        this.question.replaceChildren(live.question('Your guess: which one comes down to an error of 1/510, half a grey level, soonest on your machine?', names, (index) => {
             this.guess = names[index];
-            this.run.start.disabled = !this.name;
+            this.draw();
+            return 'Measure, and see.';
         }));
         this.draw();
     }
@@ -79,23 +79,27 @@ live.Measure = class {
 
     async measure() {
         const methods = this.chosen();
-        if (!methods.length) {
-            return 'choose a method';
+        if (!this.guess) {
+            return 'Guess first: then you know what you have learned.';
         }
-        this.clear();
-        this.draw();
-        return this.run.turns(`${methods}|${this.name}`, [], 1, (answer, lines) => this.take(answer, lines));
+        if (!methods.length) {
+            return 'Choose a method.';
+        }
+        if (!this.run.canGoOn) {
+            this.clear();
+            this.draw();
+        }
+        return this.run.turns(`${methods}|${this.name}`, [], 1, (points, lines) => this.take(points, lines));
     }
 
     // The points that have a time.
-    take(answer, lines) {
+    take(points, lines) {
         const counts = {};
-        const points = live.rows(answer, 'curve', 'front', 'parameter', 'work', 'error', 'error_low', 'error_high', 'seconds', 'seconds_low', 'seconds_high');
         for (const point of points) {
             const { curve, parameter, error, error_low, error_high, seconds, seconds_low, seconds_high, front } = point;
             point.index = counts[curve] = (counts[curve] ?? -1) + 1;
             point.method = lines[curve].method;
-            point.words = `${point.method}, ${live.count(parameter, 'sample')} per pixel: error ${live.digits(error)} (${live.digits(error_low)} to ${live.digits(error_high)}), `
+            point.words = `${point.method}, ${live.Measure.samples(point.method, parameter)}: error ${live.digits(error)} (${live.digits(error_low)} to ${live.digits(error_high)}), `
                 + `${live.time(seconds)} (${live.time(seconds_low)} to ${live.time(seconds_high)})${front ? '; on the Pareto front' : ''}`;
         }
         this.names = lines.map(({ method }) => method);
@@ -107,29 +111,35 @@ live.Measure = class {
     draw() {
         const chosen = this.chosen();
         const drawn = (list) => list.filter(({ method }) => chosen.includes(method));
-        this.diagram.draw(drawn(this.recorded), drawn(this.points));
+        // Of one sample per pixel, with which all but adaptive sampling begin.
+        const isFirst = ({ method }, index, list) => method !== 'adaptive' && list.findIndex((point) => point.method === method) === index;
+        this.diagram.draw(drawn(this.guess ? this.recorded : this.recorded.filter(isFirst)), drawn(this.points));
+    }
+
+    static samples(method, count) {
+        return `${live.count(count, 'sample')} per pixel${method === 'adaptive' ? ' in the mean' : ''}`;
     }
 
     // Which method reaches an error soonest, with how many samples, and how sure that is.
     async answer(error) {
         if (!this.points.length) {
-            return this.say(`Which method reaches an error of ${live.digits(error)} soonest on this machine? Guess above, and measure.`);
+            return this.say(`Which method reaches an error of ${live.digits(error)} soonest on this machine? Guess, and measure.`);
         }
         const reach = await this.run.module.ask('measure soonest', [error]);
         const { names } = this;
-        const reached = live.rows(reach, 'curve', 'parameter', 'seconds', 'seconds_low', 'seconds_high');
+        const reached = live.rows(reach, 'reach');
         const costs = reached.map(({ curve, parameter, seconds, ...ends }) => {
             const [low, high] = [ends.seconds_low, ends.seconds_high].map((end) => (end === Infinity ? 'unknown' : live.time(end)));
-            return `${names[curve]}: ${live.count(parameter, 'sample')} per pixel, ${live.time(seconds)} (${low} to ${high})`;
+            return `${names[curve]}: ${live.Measure.samples(names[curve], parameter)}, ${live.time(seconds)} (${low} to ${high})`;
         });
         const [ties] = reach.ties;
         const soonest = reached.slice(0, ties).map(({ curve }) => names[curve]);
         const verdict = soonest.includes(this.guess) ? 'as you guessed' : `you guessed ${this.guess}`;
-        const others = names.filter((_, curve) => !reach.curve.includes(curve));
+        const others = names.filter((_, index) => reached.every(({ curve }) => curve !== index));
         const sure = {
             0: 'no measured method reaches it.',
-            1: `${soonest[0]} is soonest (${verdict}): its interval of 95 % lies apart from the others.`,
-        }[ties] ?? `${soonest.join(' or ')} (${verdict}): their times differ by less than a factor of 1.2, or than their intervals.`;
+            1: `${soonest[0]} is soonest (${verdict}): ${reached.length > 1 ? 'the intervals of the others begin more than a factor of 1.2 behind the end of its own' : 'no other method reaches it'}.`,
+        }[ties] ?? `${soonest.join(' or ')} (${verdict}): the interval of ${soonest[0]} overlaps the others, or ends less than a factor of 1.2 before they begin.`;
         return this.say(`An error of ${live.digits(error)}: ${sure}`, costs, [...(others.length ? [`Not reached by ${others.join(', ')}.`] : []), ...this.run.doubts()].join(' '));
     }
 

@@ -64,8 +64,10 @@ live.WorkPrecision = class {
             const of = (list) => list.filter((point) => point.method === method && point.error > 0).map(live.WorkPrecision.place);
             for (const [list, kind] of [[recorded, 'recorded'], [points, '']]) {
                 const places = of(list);
-                if (places.length) {
+                if (places.length > 1) {
                     pen.path(places, `m${index} ${kind}`);
+                } else if (places.length && kind) {
+                    pen.dot(places[0], `m${index}`);
                 }
             }
         }
@@ -124,9 +126,9 @@ live.WorkPrecision = class {
     }
 };
 
-// Two digits, a number of things, and a time in its unit.
+// Two digits, a number of things, of which a whole one has all digits, and a time in its unit.
 live.digits = (number) => String(Number(number.toPrecision(2)));
-live.count = (number, thing) => `${live.digits(number)} ${thing}${number === 1 ? '' : 's'}`;
+live.count = (number, thing) => `${Number.isInteger(number) ? number : live.digits(number)} ${thing}${number === 1 ? '' : 's'}`;
 live.time = (seconds) => {
     const [unit, size] = [['s', 1], ['ms', 1e-3], ['µs', 1e-6], ['ns', 1e-9]].find(([, size]) => seconds >= 0.9995 * size) ?? ['ns', 1e-9];
     return `${live.digits(seconds / size)} ${unit}`;

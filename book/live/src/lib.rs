@@ -5,7 +5,6 @@
 //! Compiled to WebAssembly, the crate exports it as plain functions on memory.
 
 mod catalogue;
-mod extremes;
 mod figures;
 mod file;
 mod measuring;
@@ -22,7 +21,7 @@ pub use page::Answer;
 type Answered = Result<Answer, Error>;
 
 /// Answers a request of a page: `render`, `about`, `export`, `trace` or `drawing` and a picture, with the
-/// settings and a pixel as numbers, `measure` and a request to the measurement of error against run time, `extremes STAGE`,
+/// settings and a pixel as numbers, `measure` and a request to the measurement of error against run time,
 /// `sweeps`, `sweep NAME` with a power of ten, `work`, `done` or `timed` and a picture, `pictures`, or the name of a figure
 /// with its numbers. The text of a scene file is a picture, too, behind a line `file`; `numbers`,
 /// `responses` and `changes` take no other picture. An error is a sentence for the reader.
@@ -37,7 +36,6 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         Some(("changes", name)) => sensitivity::changes(name, numbers),
         Some(("about", name)) => picture::about(name),
         Some(("measure", request)) => measuring::answer(request, numbers),
-        Some(("extremes", stage)) => extremes::extremes(stage),
         Some(("sweep", name)) => sweeps::sweep(name, numbers),
         Some(("sweep-questions", name)) => sweeps::questions(name),
         Some(("sweep-errors", name)) => sweeps::errors(name, numbers),

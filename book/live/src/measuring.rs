@@ -8,11 +8,12 @@ mod edges;
 mod pictures;
 
 use std::cell::RefCell;
+use std::fmt::Write;
 
 use common::{Color, Error, Image, Size};
-use measure::experiment::Point;
 use measure::front::Contender;
 use measure::report::Measured;
+use measure::scene_report::METHODS;
 use measure::{Rounds, Turn, reach};
 
 use crate::{Answer, Answered, omissions};
@@ -20,14 +21,27 @@ use pictures::Pictures;
 
 /// A measurement that has begun.
 struct Measuring {
-    /// The name of the experiment or of the picture.
-    name: String,
-    /// None of an experiment with edges.
-    pictures: Option<Pictures>,
+    subject: Subject,
     /// None until everything is prepared.
-    timed: Option<(Measured<'static>, Rounds)>,
+    timed: Option<Timed>,
     least_time: f64,
     work_done: f64,
+}
+
+/// What is measured.
+enum Subject {
+    /// The samples of a picture.
+    Pictures(Pictures),
+    /// The experiment of this name, with edges.
+    Edges(String),
+    /// A picture without some omissions.
+    LeftOut,
+}
+
+/// The points that take turns.
+struct Timed {
+    measured: Measured<'static>,
+    rounds: Rounds,
 }
 
 /// A picture, and by how much its channels are too bright.
@@ -51,35 +65,58 @@ pub fn answer(request: &str, numbers: &[f64]) -> Answered {
         .and_then(|words| words.split_once('|'))
     {
         let methods: Vec<_> = methods.split(',').collect();
-        let mut measuring = Measuring {
-            name: name.to_owned(),
-            pictures: None,
-            timed: None,
-            least_time: numbers.first().copied().unwrap_or(1e-3),
-            work_done: 0.0,
-        };
-        if let Some(picture) = name.strip_prefix("left-out ") {
-            let settings = numbers.get(1..).unwrap_or_default();
-            measuring.take_turns(omissions::measured(picture, settings)?);
-        } else if let Some(measured) = edges::measured(name, &methods) {
-            measuring.take_turns(measured);
-        } else {
-            measuring.pictures = Some(Pictures::new(name, &methods)?);
-        }
+        let measuring = Measuring::begin(&methods, name, numbers)?;
         let answer = measuring.progress();
         MEASURING.set(Some(measuring));
         return Ok(answer);
     }
-    MEASURING.with_borrow_mut(|measuring| {
-        let begun = measuring.as_mut();
-        let begun = begun.ok_or_else(|| Error::Usage("no measurement has begun".to_owned()))?;
+    MEASURING.with_borrow_mut(|measuring| match measuring {
+        Some(measuring) => measuring.answer(request, numbers),
+        None => Err(Error::Usage("no measurement has begun".to_owned())),
+    })
+}
+
+fn flag(is_set: bool) -> f64 {
+    u8::from(is_set).into()
+}
+
+/// The least number of samples per pixel, from this one on, that a method can take.
+fn next_samples(method: &str, samples: f64) -> f64 {
+    let known = METHODS.iter().find(|known| known.name == method);
+    known.map_or_else(|| samples.ceil(), |known| known.next(samples))
+}
+
+impl Measuring {
+    fn begin(methods: &[&str], name: &str, numbers: &[f64]) -> Result<Self, Error> {
+        let (subject, measured) = if let Some(picture) = name.strip_prefix("left-out ") {
+            let settings = numbers.get(1..).unwrap_or_default();
+            let measured = omissions::measured(picture, settings)?;
+            (Subject::LeftOut, Some(measured))
+        } else if let Some(measured) = edges::measured(name, methods) {
+            (Subject::Edges(name.to_owned()), Some(measured))
+        } else {
+            (Subject::Pictures(Pictures::new(name, methods)?), None)
+        };
+        let mut measuring = Self {
+            subject,
+            timed: None,
+            least_time: numbers.first().copied().unwrap_or(1e-3),
+            work_done: 0.0,
+        };
+        if let Some(measured) = measured {
+            measuring.take_turns(measured);
+        }
+        Ok(measuring)
+    }
+
+    fn answer(&mut self, request: &str, numbers: &[f64]) -> Answered {
         match (request, numbers) {
             ("prepare", _) => {
-                begun.prepare();
-                Ok(begun.progress())
+                self.prepare();
+                Ok(self.progress())
             }
             ("run", _) => {
-                if let Some((measured, rounds)) = &mut begun.timed
+                if let Some(Timed { measured, rounds }) = &mut self.timed
                     && let Some(turn) = rounds.turn()
                 {
                     measured.run(turn);
@@ -87,19 +124,17 @@ pub fn answer(request: &str, numbers: &[f64]) -> Answered {
                 Ok(Answer::default())
             }
             ("took", [seconds]) => {
-                begun.took(*seconds);
-                Ok(begun.points(begun.progress()))
+                self.took(*seconds);
+                Ok(self.with_points(self.progress()))
             }
-            ("soonest", [error]) => Ok(begun.soonest(*error)),
-            ("picture", [curve, point]) => begun.picture(*curve as usize, *point as usize),
+            ("soonest", [error]) => Ok(self.soonest(*error)),
+            ("picture", [curve, point]) => self.picture(*curve as usize, *point as usize),
             _ => Err(Error::Usage(format!("a measurement has no \"{request}\""))),
         }
-    })
-}
+    }
 
-impl Measuring {
     fn prepare(&mut self) {
-        if let Some(pictures) = self.pictures.as_mut().filter(|_| self.timed.is_none()) {
+        if let (Subject::Pictures(pictures), None) = (&mut self.subject, &self.timed) {
             self.work_done += pictures.prepare();
             if let Some(measured) = pictures.measured() {
                 self.take_turns(measured);
@@ -109,149 +144,131 @@ impl Measuring {
 
     fn take_turns(&mut self, measured: Measured<'static>) {
         let rounds = Rounds::new(&measured.curves, ROUNDS, self.least_time);
-        self.timed = Some((measured, rounds));
-    }
-
-    /// The work of a turn, in samples per pixel; of edges each turn is repeated until it takes as long as
-    /// others.
-    fn work(&self, point: &Point) -> f64 {
-        match self.pictures {
-            Some(_) => point.parameter + 1.0,
-            None => 1.0,
-        }
+        self.timed = Some(Timed { measured, rounds });
     }
 
     fn took(&mut self, seconds: f64) {
-        let Some((mut measured, mut rounds)) = self.timed.take() else {
+        let Some(Timed { measured, rounds }) = &mut self.timed else {
             return;
         };
         if let Some(Turn { curve, point, .. }) = rounds.turn() {
             let [before, _] = rounds.progress();
             rounds.took(seconds);
             if rounds.progress()[0] > before {
-                self.work_done += self.work(&measured.curves[curve].points[point]);
+                self.work_done += self.subject.work(curve, point);
             }
-            measured.set_times(&rounds);
+            measured.set_times(rounds);
         }
-        self.timed = Some((measured, rounds));
     }
 
-    /// How much is done of how much, whether all is prepared, and whether all is measured.
+    /// How much is done of how much, in samples per pixel; whether all is prepared, and whether all is measured.
     fn progress(&self) -> Answer {
-        let mut work = self
-            .pictures
-            .as_ref()
-            .map_or(0.0, Pictures::work_to_prepare);
-        let flag = |is_set| f64::from(u8::from(is_set));
-        let mut rounds_done = 0;
-        let (mut is_measured, mut is_too_short) = (false, false);
-        if let Some((measured, rounds)) = &self.timed {
-            let points = measured.curves.iter().flat_map(|curve| &curve.points);
-            work += ROUNDS as f64 * points.map(|point| self.work(point)).sum::<f64>();
-            (rounds_done, is_measured) = (rounds.whole_rounds(), rounds.turn().is_none());
-            is_too_short = rounds.is_too_short();
-        }
+        let points: f64 = match (&self.subject, &self.timed) {
+            (Subject::Pictures(pictures), _) => pictures.work_of_a_round(),
+            (_, Some(timed)) => timed.measured.points().count() as f64,
+            (_, None) => 0.0,
+        };
+        let before = match &self.subject {
+            Subject::Pictures(pictures) => pictures.work_to_prepare(),
+            _ => 0.0,
+        };
+        let rounds = self.timed.as_ref().map(|timed| &timed.rounds);
         Answer::default()
-            .with("progress", [self.work_done, work])
-            .with("prepared", [flag(self.timed.is_some())])
-            .with("measured", [flag(is_measured)])
-            .with("rounds", [rounds_done as f64])
-            .with("too_short", [flag(is_too_short)])
+            .with(
+                "progress",
+                [self.work_done, before + ROUNDS as f64 * points],
+            )
+            .with("prepared", [flag(rounds.is_some())])
+            .with(
+                "measured",
+                [flag(rounds.is_some_and(|rounds| rounds.turn().is_none()))],
+            )
+            .with("rounds", [rounds.map_or(0, Rounds::whole_rounds) as f64])
+            .with(
+                "too_short",
+                [flag(rounds.is_some_and(Rounds::is_too_short))],
+            )
     }
 
-    /// Each list has a number for each point: its place, error and time with their ends, and whether it
-    /// is on the front. As text, the name of each curve, its slope, and how long its first point takes beside that
-    /// of the first curve.
-    fn points(&self, answer: Answer) -> Answer {
-        let Some((measured, _)) = &self.timed else {
+    /// The answer with a row for each point: its place, error and time with their ends, and whether it is on the
+    /// front. The text has a line for each curve: its name, its slope, and how long its first point takes beside
+    /// that of the first curve.
+    fn with_points(&self, answer: Answer) -> Answer {
+        let Some(Timed { measured, .. }) = &self.timed else {
             return answer;
         };
-        let front = measured.front(None);
-        let mut lists = [const { Vec::new() }; 10];
-        let mut lines = Vec::new();
-        for (c, curve) in measured.curves.iter().enumerate() {
-            let fit = measured.experiment.fit(curve);
-            let slope = fit.map(|fit| fit.to_string()).unwrap_or_default();
-            let quotient = curve
-                .points
-                .first()
-                .and_then(|first| first.times.over_first);
-            let quotient = quotient
-                .map(|median| median.to_string())
-                .unwrap_or_default();
-            lines.push(format!("{}\t{slope}\t{quotient}", curve.method));
-            for point in &curve.points {
-                let is_point = |one: &Contender| one.curve == c && one.parameter == point.parameter;
-                let is_on_front = u8::from(front.iter().any(is_point));
-                let (error, time) = (&point.errors, &point.times.seconds);
-                let numbers = [
-                    c as f64,
-                    point.parameter,
-                    point.work,
-                    error.rms,
-                    error.interval.low,
-                    error.interval.high,
-                    time.value,
-                    time.low,
-                    time.high,
-                    is_on_front.into(),
-                ];
-                for (list, number) in lists.iter_mut().zip(numbers) {
-                    list.push(number);
-                }
-            }
+        let mut text = "method\tslope\tquotient".to_owned();
+        for curve in &measured.curves {
+            let slope = measured.experiment.fit(curve).map(|fit| fit.to_string());
+            let first = curve.points.first();
+            let quotient = first.and_then(|first| first.times.over_first);
+            let [slope, quotient] =
+                [slope, quotient.map(|median| median.to_string())].map(Option::unwrap_or_default);
+            let _ = write!(text, "\n{}\t{slope}\t{quotient}", curve.method);
         }
-        let names = [
-            "curve",
-            "parameter",
-            "work",
-            "error",
-            "error_low",
-            "error_high",
-            "seconds",
-            "seconds_low",
-            "seconds_high",
-            "front",
-        ];
-        let mut answer = Answer {
-            text: lines.join("\n"),
-            ..answer
-        };
-        answer.numbers.extend(names.into_iter().zip(lists));
-        answer
+        let front = measured.front(None);
+        let rows = measured.points().map(|(curve, point)| {
+            let is_point = |one: &Contender| one.curve == curve && one.parameter == point.parameter;
+            let (error, time) = (&point.errors, &point.times.seconds);
+            [
+                ("point.curve", curve as f64),
+                ("point.parameter", point.parameter),
+                ("point.work", point.work),
+                ("point.error", error.rms),
+                ("point.error_low", error.interval.low),
+                ("point.error_high", error.interval.high),
+                ("point.seconds", time.value),
+                ("point.seconds_low", time.low),
+                ("point.seconds_high", time.high),
+                ("point.front", flag(front.iter().any(is_point))),
+            ]
+        });
+        Answer { text, ..answer }.with_rows(rows)
     }
 
     /// The methods that reach an error, the soonest first, and how many may be the soonest.
     fn soonest(&self, error: f64) -> Answer {
-        let curves = self
-            .timed
-            .as_ref()
-            .map(|(measured, _)| &measured.curves[..]);
-        let (reaches, ties) = reach::soonest(curves.unwrap_or_default(), error);
-        let of =
-            |number: fn(&reach::Reach) -> f64| -> Vec<f64> { reaches.iter().map(number).collect() };
+        let curves = self.timed.as_ref().map(|timed| &timed.measured.curves[..]);
+        let (reaches, ties) = reach::soonest(curves.unwrap_or_default(), error, next_samples);
+        let rows = reaches.iter().map(|reach| {
+            [
+                ("reach.curve", reach.curve as f64),
+                ("reach.parameter", reach.parameter),
+                ("reach.seconds", reach.time.value),
+                ("reach.seconds_low", reach.time.low),
+                ("reach.seconds_high", reach.time.high),
+            ]
+        });
         Answer::default()
             .with("ties", [ties as f64])
-            .with("curve", of(|one| one.curve as f64))
-            .with("parameter", of(|one| one.parameter))
-            .with("seconds", of(|one| one.time.value))
-            .with("seconds_low", of(|one| one.time.low))
-            .with("seconds_high", of(|one| one.time.high))
+            .with_rows(rows)
     }
 
     /// The picture of a point, and beside it its errors, enlarged.
     fn picture(&self, curve: usize, point: usize) -> Answered {
         let missing = || Error::Usage("there is no such point".to_owned());
-        let curves = self.timed.as_ref().map(|(measured, _)| &measured.curves);
+        let curves = self.timed.as_ref().map(|timed| &timed.measured.curves);
         let of = curves.and_then(|curves| curves.get(curve));
         let of = of.filter(|curve| point < curve.points.len());
         let of = of.ok_or_else(missing)?;
         let rms = of.points[point].errors.rms;
-        let shown = match &self.pictures {
-            Some(pictures) => pictures.picture(of.method, point)?,
-            None => edges::picture(&self.name, of.method, point)?,
+        let shown = match &self.subject {
+            Subject::Pictures(pictures) => pictures.picture(of.method, point)?,
+            Subject::Edges(name) => edges::picture(name, of.method, point)?,
+            Subject::LeftOut => return Err(missing()),
         };
         shown.beside_its_errors(rms)
+    }
+}
+
+impl Subject {
+    /// The work of a turn, in samples per pixel; of others than pictures each turn takes as long as every other,
+    /// because it is repeated until it does.
+    fn work(&self, curve: usize, point: usize) -> f64 {
+        match self {
+            Self::Pictures(pictures) => pictures.work(curve, point),
+            _ => 1.0,
+        }
     }
 }
 

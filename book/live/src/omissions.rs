@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use common::comparison::{Comparison, WORK, small};
-use common::omitted_work::{Words, count, is_omitted};
+use common::comparison::{WORK, small};
+use common::omitted_work::{OmittedWork, Words, count, is_omitted};
 use common::steps::Counts;
 use common::{Error, Omission, Omissions, Renderer, Scene, Settings};
 use measure::experiment::{Curve, Errors, Experiment, Point, Times};
@@ -42,20 +42,29 @@ fn numbers_of(counts: &Counts) -> impl Iterator<Item = f64> {
     WORK.map(|work| counts[work.kind] as f64).into_iter()
 }
 
-/// What a picture leaves out. The text has the names of the kinds of work, and a line for each omission; the lists say
-/// how much work the renderer does, how much each omission alone would add, and the bits of the omissions.
+/// Every omission put back.
+fn none_left_out() -> Omissions {
+    omissions(u16::MAX.into())
+}
+
+/// What a picture leaves out. The text has the names of the kinds of work, and a line for each omission, whose reason the page has; the lists say
+/// how much work the renderer does, how much if it leaves out nothing, how much each omission saves, counted as
+/// `render --explain` does, and the bits of the omissions.
 pub fn work(picture: &str, numbers: &[f64]) -> Answered {
     let (scene, settings) = small_scene(picture, numbers)?;
-    let Comparison { done, all, .. } = Comparison::new(&scene, &settings)?;
-    let image = scene.render(&settings, &())?;
+    let (image, done) = count(&scene, &settings, Omissions::ALL)?;
+    let (_, all) = count(&scene, &settings, none_left_out())?;
+    let rows = OmittedWork::all(&scene, &settings)?;
     let mut lines = vec![WORK.map(|work| work.name).join("\t")];
-    let (mut bits, mut alone) = (Vec::new(), Vec::new());
+    let (mut bits, mut saved) = (Vec::new(), Vec::new());
     for (bit, omission) in Omission::ALL.into_iter().enumerate() {
         if is_omitted(omission, &settings) {
-            let Words { work, because } = Words::of(omission);
-            lines.push(format!("{work}\t{because}"));
-            let (_, counts) = count(&scene, &settings, Omissions::ALL.without(omission))?;
-            alone.extend(numbers_of(&counts.without(&done)));
+            lines.push(Words::of(omission).work.to_owned());
+            let row = rows.iter().find(|row| row.omission == omission);
+            match row {
+                Some(row) => saved.extend(numbers_of(&row.steps)),
+                None => saved.extend([0.0; WORK.len()]),
+            }
             bits.push(bit as f64);
         }
     }
@@ -65,7 +74,7 @@ pub fn work(picture: &str, numbers: &[f64]) -> Answered {
     }
     .with("done", numbers_of(&done))
     .with("all", numbers_of(&all))
-    .with("alone", alone)
+    .with("saved", saved)
     .with("bits", bits))
 }
 
@@ -91,7 +100,7 @@ pub fn measured(picture: &str, numbers: &[f64]) -> Result<Measured<'static>, Err
     let curves = [
         ("all on", &lesson, all_on),
         ("yours", &yours, Some(omissions(put_back))),
-        ("all work", &lesson, Some(omissions(u16::MAX.into()))),
+        ("all work", &lesson, Some(none_left_out())),
     ]
     .map(|(method, settings, omissions)| {
         let scene = Rc::clone(&scene);

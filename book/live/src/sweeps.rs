@@ -1,5 +1,7 @@
 //! Problems from harmless to extreme, computed on the page: exact, by the protocol, and by ours.
 
+use std::fmt::Write;
+
 use a02_lab::sweep::{HALF_OF_THE_DIGITS, Point, Sweep, ten_to};
 use common::Error;
 use measure::extremes::{Both, Outcome};
@@ -22,9 +24,10 @@ const PANEL: u32 = 120;
 /// The columns between them.
 const GAP: u32 = 8;
 
-/// All problems: a line of words for each, and the ranges of their powers.
+/// All problems: below the names of the columns a line of words for each, and the ranges of their powers.
 pub fn all() -> Answer {
-    let lines = ALL.iter().map(|sweep| {
+    let mut text = "name\tparameter\tcomputes\tshows\tstage\texercise\tunit".to_owned();
+    for sweep in &ALL {
         let exercise = sweep.exercise.as_ref().map_or("", |asked| asked.name);
         let Sweep {
             name,
@@ -32,20 +35,23 @@ pub fn all() -> Answer {
             computes,
             shows,
             stage,
-            cases,
             ..
         } = sweep;
-        [name, parameter, computes, shows, stage, cases, exercise].join("\t")
-    });
-    let list = |value: fn(&Sweep) -> f64| ALL.iter().map(value).collect::<Vec<_>>();
-    Answer::text(lines.collect::<Vec<_>>().join("\n"))
-        .with("first", list(|sweep| sweep.powers[0]))
-        .with("last", list(|sweep| sweep.powers[1]))
-        .with("harmless", list(|sweep| sweep.harmless))
-        .with(
-            "step",
-            list(|sweep| sweep.step.copysign(sweep.powers[1] - sweep.powers[0])),
-        )
+        let unit = sweep.unit.unwrap_or("ulp");
+        let _ = write!(
+            text,
+            "\n{name}\t{parameter}\t{computes}\t{shows}\t{stage}\t{exercise}\t{unit}"
+        );
+    }
+    Answer::text(text).with_rows(ALL.iter().map(|sweep| {
+        let [first, last] = sweep.powers;
+        [
+            ("range.first", first),
+            ("range.last", last),
+            ("range.harmless", sweep.harmless),
+            ("range.step", sweep.step.copysign(last - first)),
+        ]
+    }))
 }
 
 /// The problem of this name: its errors at all powers of ten, or, with a power, its digits and its pictures there.
@@ -64,10 +70,15 @@ fn find(name: &str) -> Result<&'static Sweep, Error> {
 
 fn curves(sweep: &Sweep) -> Answer {
     let points: Vec<_> = sweep.powers().map(|power| sweep.point(power)).collect();
-    let list = |value: fn(&Point) -> f64| points.iter().map(value).collect::<Vec<_>>();
+    let list = |error: fn(&Point) -> f64| -> Vec<f64> {
+        let errors = points
+            .iter()
+            .map(|point| error(point) * unit_of(sweep, point));
+        errors.collect()
+    };
     Answer::default()
         .with("powers", sweep.powers())
-        .with("allowed", list(|point| point.condition / 2.0))
+        .with("allowed", list(Point::allowed))
         .with("ours", list(|point| point.error(point.found.ours)))
         .with("protocol", list(|point| point.error(point.found.theirs)))
         .with("breaks", sweep.breaks_at())
@@ -88,14 +99,25 @@ fn point(sweep: &Sweep, power: f64) -> Answer {
         ..Answer::text(lines)
     }
     .with("right", right)
-    .with("errors", [theirs, ours].map(|found| point.error(found)))
-    .with("allowed", [point.condition / 2.0])
+    .with(
+        "errors",
+        [theirs, ours].map(|found| point.error(found) * unit_of(sweep, &point)),
+    )
+    .with("allowed", [point.allowed() * unit_of(sweep, &point)])
     .with("value", [ten_to(power)])
     .with("size", [f64::from(2 * PANEL + GAP), f64::from(PANEL)])
 }
 
 fn ulp_of(point: &Point) -> f64 {
     measure::extremes::ulp(point.size)
+}
+
+/// The unit in the last place of the answer in the unit in which errors are drawn.
+fn unit_of(sweep: &Sweep, point: &Point) -> f64 {
+    match sweep.unit {
+        Some(_) => ulp_of(point),
+        None => 1.0,
+    }
 }
 
 /// How many of the letters of a number are right: up to the last digit of which half a unit is more than the error.
@@ -167,6 +189,6 @@ pub fn errors(name: &str, answers: &[f64]) -> Answered {
     let points = sweep.powers().map(|power| sweep.point(power));
     let errors = points
         .zip(answers)
-        .map(|(point, answer)| point.error(Some(answer * point.factor)));
+        .map(|(point, answer)| point.error(Some(answer * point.factor)) * unit_of(sweep, &point));
     Ok(Answer::default().with("yours", errors.collect::<Vec<_>>()))
 }

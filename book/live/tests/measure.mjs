@@ -33,7 +33,13 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
     const figure = 'live.measure';
     const value = (words) => chromium.value(`${figure}.${words}`);
     const press = (element) => chromium.enter(`${figure}.${element}`);
-    expect(await value(`root.querySelectorAll('.recorded').length === 4 && ${figure}.run.start.disabled`), `${page}: no recorded curves, or no guess before a measurement`);
+    const curves = () => value(`root.querySelectorAll('.recorded').length`);
+    expect((await curves()) === 0, `${page}: recorded curves answer before the guess`);
+    await shot('measure-before', `${figure}.root`);
+    await press('run.start');
+    await chromium.until(`/^Guess first/.test(${figure}.run.status.value)`);
+    await press(`question.querySelector('button')`);
+    expect((await curves()) === 4, `${page}: no recorded curves after the guess`);
     await shot('measure-recorded', `${figure}.root`);
     for (const [subject, names] of settings) {
         await value(`subject.value = '${subject}'; ${figure}.choose()`);
@@ -45,6 +51,13 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
         await chromium.until(`${figure}.run.halt.disabled && ${figure}.run.status.value === 'stopped'`);
         await press('run.start');
         await chromium.until(`${figure}.run.rounds > 0`);
+        await press('run.halt');
+        await chromium.until(`${figure}.run.halt.disabled`);
+        // It goes on where it was.
+        const rounds = await value('run.rounds');
+        expect((await value('run.start.textContent')) === 'go on', `${subject}: nothing goes on after a stop`);
+        await press('run.start');
+        await chromium.until(`${figure}.run.rounds > ${rounds} || ${figure}.run.status.value.endsWith('rounds measured')`);
         await press('run.halt');
         await chromium.until(`${figure}.run.halt.disabled`);
         const rows = await reported(run, stage, names);
@@ -63,6 +76,11 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
         // The line, and a point with its picture.
         const verdict = () => value('verdict.textContent');
         await chromium.until(`/^An error of 0/.test(${figure}.verdict.textContent)`);
+        // The program takes the sample counts that the page names.
+        for (const [, method, count] of (await verdict()).matchAll(/(regular|stratified|random): (\S+) samples? per pixel/g)) {
+            const cells = method === 'random' ? Number(count) : Math.sqrt(count);
+            expect(Number.isInteger(cells), `${subject}: ${method} takes no ${count} samples`);
+        }
         const before = await verdict();
         await value('diagram.handle.focus()');
         await chromium.key('ArrowUp');

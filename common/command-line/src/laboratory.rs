@@ -94,7 +94,7 @@ const WORKBOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Runs a command of the stage's laboratory, in the profile of this build, and returns its exit
 /// code. The laboratory is a program of its own, built when first asked for, so that nobody
-/// waits for it on the way to the first picture.
+/// waits for it on the way to the first picture. Cargo shows what it builds, and what it waits for.
 fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<ExitCode, Error> {
     let manifest = format!("{}/lab/Cargo.toml", stage.name);
     let manifest = workbook::with_file(&manifest, WORKBOOK.as_ref()).join(manifest);
@@ -104,14 +104,11 @@ fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<
         return Err(Error::Usage(none));
     }
     let mut cargo = process::Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo
-        .args(["run", "--quiet", "--manifest-path"])
-        .arg(manifest);
+    cargo.args(["run", "--manifest-path"]).arg(manifest);
     if !cfg!(debug_assertions) {
         cargo.arg("--release");
     }
     cargo.args(["--", command]).args(&measured.arguments);
-    eprintln!("the laboratory is built first, if it has changed");
     let status = cargo.status().map_err(Error::Laboratory)?;
     let code = status.code().and_then(|code| u8::try_from(code).ok());
     Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))

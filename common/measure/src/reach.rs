@@ -25,11 +25,19 @@ struct Place {
 }
 
 /// The methods that reach an error, the soonest first; and how many of them, from the first one on, may be
-/// the soonest: the others are slower by more than what counts as equal for a [front](crate::report::Measured::front).
-pub fn soonest(curves: &[Curve], error: f64) -> (Vec<Reach>, usize) {
+/// the soonest: the intervals of the others begin beyond the first one's end by more than what counts as equal for a
+/// [front](crate::report::Measured::front).
+///
+/// `next` says which parameter, from a number on, the method of a name can take.
+pub fn soonest(
+    curves: &[Curve],
+    error: f64,
+    next: impl Fn(&str, f64) -> f64,
+) -> (Vec<Reach>, usize) {
     let mut reaches = Vec::new();
     for (curve, of) in curves.iter().enumerate() {
-        reaches.extend(reach(curve, &of.points, error));
+        let next = |parameter| next(of.method, parameter);
+        reaches.extend(reach(curve, &of.points, error, next));
     }
     reaches.sort_by(|a, b| a.time.value.total_cmp(&b.time.value));
     let first = reaches.first().copied();
@@ -45,8 +53,8 @@ fn is_slower(one: &Reach, first: &Reach) -> bool {
 
 /// Between two measured points the error falls as a power of the work, and of the time. The interval
 /// comes from the better ends of both intervals of each point, and from the worse ones.
-fn reach(curve: usize, points: &[Point], error: f64) -> Option<Reach> {
-    let along = |place: fn(&Point) -> Place| first_below(points.iter().map(place), error);
+fn reach(curve: usize, points: &[Point], error: f64, next: impl Fn(f64) -> f64) -> Option<Reach> {
+    let along = |place: fn(&Point) -> Place| first_below(points.iter().map(place), error, &next);
     let middle = along(|point| Place {
         parameter: point.parameter,
         error: point.errors.rms,
@@ -73,9 +81,13 @@ fn reach(curve: usize, points: &[Point], error: f64) -> Option<Reach> {
     })
 }
 
-/// Where the error is first reached: at the first point, or between two of them. Points without a time
-/// are left out.
-fn first_below(places: impl Iterator<Item = Place>, error: f64) -> Option<Place> {
+/// Where the error is first reached: at the first point, or between two of them at the next parameter that the
+/// method can take. Points without a time are left out.
+fn first_below(
+    places: impl Iterator<Item = Place>,
+    error: f64,
+    next: impl Fn(f64) -> f64,
+) -> Option<Place> {
     let mut before: Option<Place> = None;
     for place in places.filter(|place| place.seconds.is_finite()) {
         if place.error > error {
@@ -86,16 +98,23 @@ fn first_below(places: impl Iterator<Item = Place>, error: f64) -> Option<Place>
             return Some(place);
         };
         // How far the way from the point before is, in logarithms.
-        let way = if place.error > 0.0 {
+        let mut way = if place.error > 0.0 {
             libm::log(before.error / error) / libm::log(before.error / place.error)
         } else {
             1.0
         };
-        let between = |from: f64, to: f64| from * libm::pow(to / from, way);
+        let between = |from: f64, to: f64, way| from * libm::pow(to / from, way);
+        let wanted = between(before.parameter, place.parameter, way);
+        // The measured point is one that the method can take.
+        let parameter = next(wanted).min(place.parameter);
+        if parameter > wanted {
+            way = libm::log(parameter / before.parameter)
+                / libm::log(place.parameter / before.parameter);
+        }
         return Some(Place {
-            parameter: between(before.parameter, place.parameter),
-            error,
-            seconds: between(before.seconds, place.seconds),
+            parameter,
+            error: between(before.error, place.error, way),
+            seconds: between(before.seconds, place.seconds, way),
         });
     }
     None
@@ -105,6 +124,11 @@ fn first_below(places: impl Iterator<Item = Place>, error: f64) -> Option<Place>
 mod tests {
     use super::*;
     use crate::example;
+
+    /// Of a method that takes every number.
+    fn any(_: &str, number: f64) -> f64 {
+        number
+    }
 
     /// A curve whose times are a thousandth of its work, give or take a fraction.
     fn timed(points: &[(f64, f64)], noise: f64) -> Curve<'static> {
@@ -128,7 +152,7 @@ mod tests {
         let direct = timed(&[(1.0, 1.0), (4.0, 0.25), (16.0, 0.0625)], 0.0);
         let never = timed(&[(1.0, 1.0), (2.0, 0.5)], 0.0);
         let curves = [root, direct, never];
-        let (reaches, ties) = soonest(&curves, 0.125);
+        let (reaches, ties) = soonest(&curves, 0.125, any);
         assert_eq!((reaches.len(), ties), (2, 1));
         for (reach, (curve, steps)) in reaches.iter().zip([(1, 8.0), (0, 64.0)]) {
             assert_eq!(reach.curve, curve);
@@ -138,9 +162,26 @@ mod tests {
                 "{reach:?}"
             );
         }
-        assert_eq!(soonest(&curves, 1e-9), (Vec::new(), 0));
+        assert_eq!(soonest(&curves, 1e-9, any), (Vec::new(), 0));
         let exact = timed(&[(1.0, 0.5), (2.0, 0.0)], 0.0);
-        assert_eq!(soonest(&[exact], 1e-9).0[0].parameter, 2.0);
+        assert_eq!(soonest(&[exact], 1e-9, any).0[0].parameter, 2.0);
+    }
+
+    /// One over the square root reaches 0.19 with 27.7 steps: the next number is 28, and the next square 36. A method that can take none before the point measured next is measured there.
+    #[test]
+    fn the_work_for_an_error_is_a_number_that_the_method_takes() {
+        let curves = [timed(&[(16.0, 0.25), (256.0, 0.0625)], 0.0)];
+        let square = |number: f64| number.sqrt().ceil() * number.sqrt().ceil();
+        let of = |error, next: fn(f64) -> f64| soonest(&curves, error, |_, n| next(n)).0[0];
+        for (error, next, steps) in [
+            (0.19, f64::ceil as fn(f64) -> f64, 28.0),
+            (0.19, square, 36.0),
+            (0.07, |_| 1e3, 256.0),
+        ] {
+            let reach = of(error, next);
+            assert_eq!(reach.parameter, steps);
+            assert!((reach.time.value - steps / 1000.0).abs() < 1e-12);
+        }
     }
 
     /// Ten steps and eleven are no difference, and with a noise of a third thirteen are none, either.
@@ -148,7 +189,7 @@ mod tests {
     fn times_that_are_nearly_equal_or_unsure_tie() {
         let ties = |steps: f64, noise| {
             let curves = [(10.0, 0.1), (steps, 0.1)].map(|point| timed(&[point], noise));
-            soonest(&curves, 0.1).1
+            soonest(&curves, 0.1, any).1
         };
         assert_eq!(
             [ties(11.0, 0.0), ties(13.0, 0.0), ties(13.0, 0.3)],

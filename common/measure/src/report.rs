@@ -96,7 +96,7 @@ impl<'a> Measured<'a> {
     }
 
     /// All points, each with the number of its curve.
-    pub(crate) fn points(&self) -> impl Iterator<Item = (usize, &Point<'a>)> {
+    pub fn points(&self) -> impl Iterator<Item = (usize, &Point<'a>)> {
         let curves = self.curves.iter().enumerate();
         curves.flat_map(|(c, curve)| curve.points.iter().map(move |point| (c, point)))
     }

@@ -41,6 +41,22 @@ pub struct Method {
     pub values: &'static [f64],
 }
 
+impl Method {
+    /// The least number of samples per pixel, from this one on, that the method can take. That of adaptive
+    /// sampling is a mean, which may be any number.
+    #[must_use]
+    pub fn next(self, samples: f64) -> f64 {
+        match self.sampling {
+            None => samples,
+            Some(sampling) if sampling.is_grid() => {
+                let cells = samples.sqrt().ceil();
+                cells * cells
+            }
+            Some(_) => samples.ceil(),
+        }
+    }
+}
+
 const SQUARES: &[f64] = &[1.0, 4.0, 16.0, 64.0];
 
 /// The methods of a report.

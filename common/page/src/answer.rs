@@ -28,6 +28,21 @@ impl Answer {
         self
     }
 
+    /// The same answer with a table: for each row its numbers, by the names of their columns.
+    #[must_use]
+    pub fn with_rows<const N: usize>(
+        mut self,
+        rows: impl IntoIterator<Item = [(&'static str, f64); N]>,
+    ) -> Self {
+        for (name, number) in rows.into_iter().flatten() {
+            match self.numbers.iter_mut().find(|(known, _)| *known == name) {
+                Some((_, column)) => column.push(number),
+                None => self.numbers.push((name, vec![number])),
+            }
+        }
+        self
+    }
+
     /// The numbers of this name; none if there are none.
     #[must_use]
     pub fn get(&self, name: &str) -> &[f64] {

@@ -27,10 +27,10 @@ pub const DIRECTION: Sweep = Sweep {
     computes: "the distance to a ball of radius 1, two before the ray's origin",
     shows: "The ball by parallel rays with directions of this length.",
     stage: "a04-intersections",
-    cases: "A23, A27, A30",
     powers: [-200.0, 200.0],
     harmless: 0.0,
     step: 1.0,
+    unit: None,
     exercise: Some(exercise("sphere")),
     at: |length| {
         // The distance is that along a direction of length 1, and so is the condition.

@@ -13,10 +13,10 @@ pub const FAR_BALL: Sweep = Sweep {
     computes: "the t at which a ray half a radius beside its middle hits it",
     shows: "The ball by parallel rays from there: the farther its surface bulges, the brighter it is.",
     stage: "a04-intersections",
-    cases: "A45, A46, A47",
     powers: [0.5, 16.0],
     harmless: 0.5,
     step: 0.25,
+    unit: Some("radii"),
     exercise: Some(exercise("sphere")),
     at: |distance| hit_of_unit(line([0.5, 0.0, distance], [0.0, 0.0, -1.0])),
     picture: |distance, [x, y]| {

@@ -44,10 +44,10 @@ pub const NEEDLE: Sweep = Sweep {
     computes: "the distance of a point at a third of its height",
     shows: "Two such triangles with a common edge, each drawn as high as wide. Light behind them is white.",
     stage: "a04-intersections",
-    cases: "D08, D30, D31",
     powers: [0.0, 16.0],
     harmless: 0.0,
     step: 0.25,
+    unit: None,
     exercise: Some(exercise("triangle")),
     at: |aspect| {
         let (needle, line) = (needle(1.0, aspect), towards(place(0.5, 0.33, aspect)));

@@ -13,10 +13,10 @@ pub const TANGENT: Sweep = Sweep {
     computes: "the t at which the ray from 5 before its middle hits it",
     shows: "The highest point of the ball, enlarged until this distance is a quarter of the picture's height.",
     stage: "a04-intersections",
-    cases: "A21, A43, A44",
     powers: [0.0, -16.0],
     harmless: 0.0,
     step: 0.25,
+    unit: None,
     exercise: Some(exercise("sphere")),
     at: |below| hit_of_unit(line([-5.0, 1.0 - below, 0.0], [1.0, 0.0, 0.0])),
     picture: |below, [x, y]| {

@@ -24,6 +24,12 @@ pub struct Pictures {
 /// the time of one.
 const REFERENCE_WORK: f64 = 1024.0 / 3.0;
 
+/// The work of a method at one of its values. An error of adaptive sampling, in half grey levels, has about the size of
+/// its work.
+const fn work(value: f64) -> f64 {
+    value + 1.0
+}
+
 impl Pictures {
     pub fn new(name: &str, methods: &[&str]) -> Result<Self, Error> {
         // A measurement borrows it until the page stops this module.
@@ -46,8 +52,18 @@ impl Pictures {
 
     /// The amount of work before the first turn, in samples per pixel.
     pub fn work_to_prepare(&self) -> f64 {
-        let points = self.methods.iter().flat_map(|method| method.values);
-        2.0 * REFERENCE_WORK + points.map(|value| value + 1.0).sum::<f64>()
+        REFERENCES.len() as f64 * REFERENCE_WORK + self.work_of_a_round()
+    }
+
+    /// That of one turn of every point.
+    pub fn work_of_a_round(&self) -> f64 {
+        let values = self.methods.iter().flat_map(|method| method.values);
+        values.map(|value| work(*value)).sum()
+    }
+
+    /// That of one turn of a point.
+    pub fn work(&self, curve: usize, point: usize) -> f64 {
+        work(self.methods[curve].values[point])
     }
 
     /// Renders the next picture, and returns its work.
@@ -64,7 +80,7 @@ impl Pictures {
             if let Some(value) = method.values.get(curve.points.len()) {
                 let point = self.samples.point(*method, *value, reference);
                 curve.points.push(point);
-                return value + 1.0;
+                return work(*value);
             }
         }
         0.0

@@ -20,23 +20,27 @@ fn a_measurement_on_the_page_takes_turns_as_a_report_does() {
         let answer = ask("measure took", &[2e-3]);
         assert_eq!(answer.get("measured"), [f64::from(u8::from(turn == 70))]);
         if turn == 70 {
-            assert_eq!(answer.get("seconds"), [2e-3; 7]);
+            assert_eq!(answer.get("point.seconds"), [2e-3; 7]);
             assert_eq!(
-                answer.get("parameter"),
+                answer.get("point.parameter"),
                 [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 1.0]
             );
             // All take the same time, so only the most exact one is not beaten.
-            assert_eq!(answer.get("front"), [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
-            let errors = answer.get("error");
+            assert_eq!(
+                answer.get("point.front"),
+                [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+            );
+            let errors = answer.get("point.error");
             assert_eq!(errors[0].to_bits(), errors[6].to_bits());
         }
     }
     let reach = ask("measure soonest", &[0.1]);
     assert_eq!(
-        (reach.get("curve"), reach.get("ties")),
+        (reach.get("reach.curve"), reach.get("ties")),
         (&[0.0][..], &[1.0][..])
     );
-    assert!((1.0..4.0).contains(&reach.get("parameter")[0]));
+    // Not one between 1 and 4, of which there is no square grid.
+    assert_eq!(reach.get("reach.parameter"), [4.0]);
     let picture = ask("measure picture", &[0.0, 5.0]);
     assert_eq!(picture.get("size"), [128.0, 64.0]);
     assert!(call("measure picture", &[2.0, 0.0]).is_err());
@@ -55,7 +59,8 @@ fn what_is_left_out_is_timed_in_turns() {
         answer = ask("measure took", &[2e-3]);
     }
     let of = |line: &str| line.split('\t').next_back().unwrap_or_default().to_owned();
-    let quotients: Vec<_> = answer.text.lines().map(of).collect();
+    // Below the names of the columns.
+    let quotients: Vec<_> = answer.text.lines().skip(1).map(of).collect();
     assert_eq!(quotients[0], "");
     assert!(
         quotients[1..]

@@ -24,6 +24,40 @@ fn exact_answers_have_22_digits() {
     }
 }
 
+/// From the distance D, half a radius beside the middle, t = D - √(3/4): D and the length of the direction move it by one
+/// part each, and radius and place by less than one. One ulp below the tangent, at h = 1 - 2⁻⁵³, t = 5 - √(1 - h²)
+/// = 5 - 2⁻²⁶; h and the radius, off by 2⁻⁵³ of themselves, each move it by 2⁻²⁷, which is 2²³ units of 2⁻⁵⁰. The
+/// protocol takes the root for 0. At n ulp its error grows by √n, and what the problem allows falls as much.
+#[test]
+fn the_problem_allows_its_condition_times_half_a_rounding() {
+    let near = |found: f64, exact: f64| (found / exact - 1.0).abs() < 1e-6;
+    let part = 0.5 * f64::EPSILON;
+    let of = |name: &str, power| ask(&format!("sweep {name}"), &[power]);
+    let allowed = of("distance", 8.0).get("allowed")[0];
+    assert!(near(allowed, 2e8 * part), "{allowed} radii");
+    let in_ulps = allowed / libm::exp2(-26.0);
+    assert_eq!(format!("{in_ulps:.1}"), "1.5", "ulp of A46");
+    for (power, ulps) in [(-16.0, 1.0), (-15.25, 5.0_f64)] {
+        let answer = of("tangent", power);
+        let (allowed, protocol) = (answer.get("allowed")[0], answer.get("errors")[0]);
+        let units = libm::exp2(24.0);
+        assert!(near(allowed, units / ulps.sqrt()), "{power}: {allowed}");
+        assert!(near(protocol, units * ulps.sqrt()), "{power}: {protocol}");
+    }
+}
+
+/// Where the protocol has lost the root, t is that of the middle: off by √(3/4) of a radius, however far the ball is, and
+/// no more exact where a unit in the last place is larger than the ball.
+#[test]
+fn a_far_ball_stays_lost() {
+    let answer = ask("sweep distance", &[]);
+    let errors = answer.get("powers").iter().zip(answer.get("protocol"));
+    for (power, error) in errors.filter(|(power, _)| (8.0..=15.0).contains(*power)) {
+        let off = (error - 0.75_f64.sqrt()).abs();
+        assert!(off < libm::pow(10.0, power - 15.0), "{power}: {error}");
+    }
+}
+
 /// 100000000 is 0.87 too much, more than half of its last place. Of 5.000000051875901 the error is 1.05e-8, more than
 /// half a unit of the eighth place behind the dot.
 #[test]
