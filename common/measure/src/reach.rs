@@ -74,9 +74,10 @@ fn reach(curve: usize, points: &[Point], error: f64, next: impl Fn(f64) -> f64) 
         curve,
         parameter: middle.parameter,
         time: Median {
-            low: best.map_or(middle.seconds, |best| best.seconds),
+            // The ends of a few rounds may lie on one side of the middle.
+            low: best.map_or(middle.seconds, |best| best.seconds.min(middle.seconds)),
             value: middle.seconds,
-            high: worst.map_or(f64::INFINITY, |worst| worst.seconds),
+            high: worst.map_or(f64::INFINITY, |worst| worst.seconds.max(middle.seconds)),
         },
     })
 }
@@ -182,6 +183,16 @@ mod tests {
             assert_eq!(reach.parameter, steps);
             assert!((reach.time.value - steps / 1000.0).abs() < 1e-12);
         }
+    }
+
+    /// The second point's time is longer at its low end than the first point's, so that the better ends reach the
+    /// error later.
+    #[test]
+    fn an_interval_holds_its_middle() {
+        let mut curve = timed(&[(1.0, 0.2), (4.0, 0.1)], 0.0);
+        curve.points[1].times.seconds.low = 0.005;
+        let time = soonest(&[curve], 0.1, any).0[0].time;
+        assert_eq!([time.low, time.value], [0.004; 2]);
     }
 
     /// Ten steps and eleven are no difference, and with a noise of a third thirteen are none, either.
