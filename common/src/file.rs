@@ -12,6 +12,7 @@ use crate::text;
 pub fn read(folder: &Path, name: &Path, most: u64) -> Result<Vec<u8>, String> {
     let path = folder.join(name);
     let found = fs::metadata(&path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound if path.is_symlink() => "it is a link to nothing".to_owned(),
         ErrorKind::NotFound => missing(folder, name),
         _ => error.to_string(),
     })?;
@@ -115,8 +116,11 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn a_pipe_is_refused_at_once() {
+    fn a_pipe_and_a_link_to_nothing_are_refused_at_once() {
         let folder = tempfile::tempdir().unwrap();
+        std::os::unix::fs::symlink("gone", folder.path().join("link")).unwrap();
+        let nothing = read(folder.path(), Path::new("link"), 9);
+        assert_eq!(nothing, Err("it is a link to nothing".to_owned()));
         let pipe = folder.path().join("pipe");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status();
         assert!(made.unwrap().success());

@@ -23,9 +23,14 @@ impl Stage {
     /// The scene of this name, or of the scene file of this name, which ends in `.toml`. The
     /// error lists the scenes of the stage.
     pub fn scene(&self, name: &str) -> Result<Scene, Error> {
-        if let Some((_, end)) = name.rsplit_once('.') {
+        let is_scene = |name: &str| self.scenes.iter().any(|scene| scene.name == name);
+        if let Some((begin, end)) = name.rsplit_once('.') {
             let none = match self.open {
                 _ if Path::new(name).is_dir() => format!("{} is a folder", text::name(name)),
+                _ if is_scene(begin) && !Path::new(name).exists() => {
+                    let (name, stage) = (text::name(name), self.name);
+                    format!("there is no file {name}, but {begin} is a scene of {stage}")
+                }
                 Some(open) if end == "toml" => return open(name.as_ref()),
                 Some(_) => format!("{} is no scene file, which ends in .toml", text::name(name)),
                 None => format!("{} opens no scene files; stages 4 to 7 do", self.name),
@@ -40,7 +45,11 @@ impl Stage {
             }
             let begins = names.iter().copied().find(|known| known.starts_with(name));
             let nearest = begins.or_else(|| text::nearest(&names, name));
-            let nearest = nearest.map(|nearest| format!("; the nearest is {nearest}"));
+            let file = format!("{name}.toml");
+            let is_file = self.open.is_some() && Path::new(&file).is_file();
+            let nearest = if is_file { Some(&*file) } else { nearest };
+            let nearest =
+                nearest.map(|nearest| format!("; the nearest is {}", text::name(nearest)));
             let nearest = nearest.unwrap_or_default();
             let (stage, name, names) = (self.name, text::name(name), names.join(", "));
             Error::Usage(format!(

@@ -4,6 +4,7 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod adaptive;
+mod command_lines;
 mod deep_reflections;
 mod explained;
 mod export;
@@ -17,4 +18,3 @@ mod scene_cases;
 mod scene_files;
 mod schema;
 mod work;
-mod written_texts;

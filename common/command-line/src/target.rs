@@ -177,6 +177,10 @@ pub fn make_default_folder() -> Result<&'static Path, Error> {
 /// Makes a folder if it is missing, and its parents.
 pub fn make_folder(folder: &Path) -> Result<(), Error> {
     match fs::create_dir_all(folder) {
+        Err(_) if folder.is_symlink() && !folder.exists() => Err(Error::Write {
+            path: folder.to_owned(),
+            reason: "it is a link to a folder that is not there".to_owned(),
+        }),
         // If a file has this name, the error comes from writing into it.
         Err(error) if !folder.exists() => Err(atomic_file::cannot_write(folder, &error)),
         _ => Ok(()),

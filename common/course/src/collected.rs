@@ -33,7 +33,10 @@ impl Collected {
     pub fn read(places: &[PathBuf], course: &[Exercise]) -> Result<Self, String> {
         let mut entries = Vec::new();
         for place in places {
-            if !fs::metadata(place).map_err(with_path(place))?.is_dir() {
+            if !place.exists() {
+                return Err(format!("there is no {}", text::path(place)));
+            }
+            if !place.is_dir() {
                 entries.push(place.clone());
                 continue;
             }

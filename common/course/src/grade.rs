@@ -58,8 +58,12 @@ impl Grade {
         }
         if let Some(folder) = &self.output
             && !self.replace
+            && !results::is_free(folder)
         {
-            results::check_empty(folder)?;
+            let shown = text::path(folder);
+            return Err(format!(
+                "{shown} is there and not empty; its files are kept, unless --replace is given"
+            ));
         }
         let sheets = sheet::chosen(&self.sheets)?;
         let sets_exercises = sheets.is_empty() || self.until.is_some();

@@ -30,16 +30,10 @@ const COLUMNS: [&str; 9] = [
 /// The column of numbers.
 const RIGHT_ANSWERS: usize = 4;
 
-/// An error if a folder has files: a lecturer may have changed earlier results.
-pub fn check_empty(folder: &Path) -> Result<(), String> {
+/// Whether a folder is missing or empty, so that nothing in it is lost.
+pub fn is_free(folder: &Path) -> bool {
     let is_empty = fs::read_dir(folder).is_ok_and(|mut files| files.next().is_none());
-    if is_empty || !folder.exists() {
-        return Ok(());
-    }
-    Err(format!(
-        "{} is there and not empty; its files are kept, unless --replace is given",
-        text::path(folder)
-    ))
+    is_empty || !folder.exists()
 }
 
 /// Writes the table for people and for programs, and a text for each student, under the student's name.
@@ -173,10 +167,10 @@ mod tests {
         let row = "\"Ada B.\",\"a04-intersections\",\"sphere\",\"wrong\",\"0.99\",\"'=1+1\",\
                    \"\",\"sphere.rs\",\"a \"\"b\"\"\nc\\u{1b}\"\r\n";
         let folder = tempfile::tempdir().unwrap();
-        assert_eq!(check_empty(folder.path()), Ok(()));
+        assert!(is_free(folder.path()) && is_free(&folder.path().join("new")));
         write(folder.path(), &graded).unwrap();
         for used in [folder.path(), &folder.path().join("results.csv")] {
-            assert!(check_empty(used).is_err(), "{used:?}");
+            assert!(!is_free(used), "{used:?}");
         }
         let csv = fs::read_to_string(folder.path().join("results.csv")).unwrap();
         assert!(csv.starts_with("\u{feff}\"student\""), "{csv}");

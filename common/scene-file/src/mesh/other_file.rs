@@ -49,13 +49,15 @@ const CURVES: &str = "an OBJ file of curved surfaces only: export it with faces"
 
 /// The kind of a file that begins as no mesh of ours does.
 pub fn by_first_bytes(bytes: &[u8]) -> Option<&'static str> {
+    // Web pages begin with empty lines.
+    let begin = bytes.trim_ascii_start();
     let mut kinds = FIRST_BYTES.iter();
-    let found = kinds.find(|(first, _)| bytes.starts_with(first));
+    let found = kinds.find(|(first, _)| begin.starts_with(first));
     match (found, bytes) {
         (Some((_, kind)), _) => Some(kind),
         (None, []) => Some("empty"),
         // Each Latin letter of UTF-16 has a byte 0.
-        (None, [first, 0, ..]) if first.is_ascii_graphic() => Some(UTF_16),
+        (None, [first, 0, ..] | [0, first, ..]) if first.is_ascii_graphic() => Some(UTF_16),
         (None, _) => is_binary_stl(bytes).then_some(STL),
     }
 }

@@ -135,6 +135,8 @@ fn other_files_are_called_by_their_kind() {
             "a pointer of Git LFS",
         ),
         (b"newmtl gold\nKd 1 1 0\n", "a file of materials"),
+        (b"\0v\0 \x000", "text in UTF-16"),
+        (b"\n\n<!DOCTYPE html>", "a web page"),
         (b"", "empty"),
     ] {
         let error = Mesh::read(file).err().unwrap();
