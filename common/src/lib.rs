@@ -19,6 +19,7 @@ mod omission;
 pub mod omitted_work;
 pub mod picture_file;
 mod progress;
+pub mod row;
 mod sampling_report;
 mod scene;
 mod scene_number;

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
 
+use common::row;
 use learn::sheet::OwnProgram;
-use sheet::{Facts, Judgement, NAMES, Row, Sheet};
-use toml::de::DeTable;
+use sheet::{Facts, Judgement, NAMES, Sheet};
 
 /// The folder of the answers.
 const ANSWERS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/sheets");
@@ -50,19 +50,20 @@ struct Mistake {
 
 fn mistakes(sheet: &str) -> Vec<Mistake> {
     let text = fs::read_to_string(format!("{ANSWERS}/mistakes/{sheet}.toml")).unwrap();
-    let table = DeTable::parse(&text).unwrap();
-    let rows = Row::new(sheet, table.get_ref()).rows("mistake").unwrap();
-    let mut mistakes = Vec::new();
-    for (number, row) in rows.iter().enumerate() {
-        mistakes.push(Mistake {
-            program: format!("{sheet}_{number}"),
-            fails: row.get("fails").unwrap(),
-            forgets: row.get("forgets").unwrap(),
-            line: row.get("line").unwrap(),
-            instead: row.get("instead").unwrap(),
-        });
-    }
-    mistakes
+    let mistakes = row::read(sheet, &text, |file| {
+        let mut mistakes = Vec::new();
+        for (number, row) in file.rows("mistake")?.iter().enumerate() {
+            mistakes.push(Mistake {
+                program: format!("{sheet}_{number}"),
+                fails: row.get("fails")?,
+                forgets: row.get("forgets")?,
+                line: row.get("line")?,
+                instead: row.get("instead")?,
+            });
+        }
+        Ok(mistakes)
+    });
+    mistakes.unwrap()
 }
 
 /// The folder of the programs: the answers and their mistakes, built in a copy beside which nothing else lies.

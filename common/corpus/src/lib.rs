@@ -6,7 +6,7 @@ mod reader;
 mod verdict;
 
 pub use case::{Answer, Case, Hit, Question, Shape, Step};
-pub use reader::{Fields, Mistake, read, read_each};
+pub use reader::read;
 pub use verdict::{DOUBLE, Verdict, judge};
 
 /// The text of `cases.toml`, whose numbers are doubles.

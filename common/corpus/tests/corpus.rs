@@ -79,21 +79,28 @@ fn what_no_answer_can_fail_is_not_counted() {
 fn a_mistake_in_the_file_is_named() {
     let line = "[[case]]\nid = \"a-1\"\nfamily = \"a\"\nsays = \"s\"\nsource = \"ours\"\n";
     let rest = "ray = { origin = [0, 0, 0], direction = [0, 0, 1] }\nwithin = [0.0, inf]\n";
-    let said = |text: String| read(&text).unwrap_err().to_string();
+    let said = |text: String| read(&text).unwrap_err();
     assert_eq!(
-        said("[[case]]\nfamily = 3".to_owned()),
-        "case number 1: id is missing, or is not a text"
+        said("[[case]]\nid = 3".to_owned()),
+        "cases, case 1 (without a name): `id` must be a text"
     );
     assert_eq!(
         said(format!(
             "{line}sphere = {{ center = [0, 0], radius = 1 }}\n{rest}"
         )),
-        "case a-1: center is missing, or is not as many numbers in brackets as it has"
+        "cases, case 1 (a-1), sphere: `center` must be a list of 3, each a number"
     );
-    assert!(said("[[case]".to_owned()).starts_with("no TOML"));
+    assert_eq!(
+        said(format!("{line}{rest}")),
+        "cases, case 1 (a-1): `triangles` is missing, or another shape"
+    );
+    assert!(said("[[case]".to_owned()).starts_with("cases: TOML parse error"));
     let unanswered = format!("{line}sphere = {{ center = [0, 0, 1], radius = 1 }}\n{rest}");
     assert_eq!(
         said(unanswered),
-        "case a-1: answer is missing, or is not a text"
+        "cases, case 1 (a-1): `answer` is missing; it must be a text"
     );
+    let more = format!("{line}sphere = {{ center = [0, 0, 1], radius = 1, colour = 1 }}\n{rest}");
+    let more = said(more);
+    assert!(more.contains("sphere: `colour` is no key here"), "{more}");
 }

@@ -3,8 +3,7 @@
 use std::sync::OnceLock;
 use std::{fs, iter};
 
-use ::sheet::Row;
-use toml::de::DeTable;
+use common::row::{self, Row};
 
 use crate::{files, lines};
 
@@ -70,9 +69,11 @@ fn read_lists() -> Result<Vec<Exercise>, String> {
 
 /// The exercises of a list.
 fn read_list(stage: &'static str, path: &str, text: &str) -> Result<Vec<Exercise>, String> {
-    let table = DeTable::parse(text).map_err(|error| format!("{path}: {error}"))?;
-    let rows = Row::new(path, table.get_ref()).rows("exercise")?;
-    rows.iter().map(|row| read_row(stage, row)).collect()
+    row::read(path, text, |file| {
+        let rows = file.rows("exercise")?;
+        file.end()?;
+        rows.iter().map(|row| read_row(stage, row)).collect()
+    })
 }
 
 fn read_row(stage: &'static str, row: &Row) -> Result<Exercise, String> {

@@ -12,7 +12,6 @@ mod line;
 mod marked;
 mod measure;
 mod report;
-mod row;
 mod sheet;
 mod slope;
 
@@ -20,7 +19,6 @@ pub use fact::Fact;
 pub use judgement::{Drawn, Facts, Judgement, State, judge};
 pub use last_words::{last_words, no_picture};
 pub use marked::MARKED;
-pub use row::{Row, Value};
 pub use sheet::{Picture, Run, Sheet};
 
 /// The names of the sheets, in the order in which they are set.

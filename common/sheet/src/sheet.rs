@@ -1,10 +1,9 @@
 //! `Sheet`: an open task, the pictures that it asks for, and the facts that judge them.
 
 use common::Size;
-use toml::de::DeTable;
+use common::row::{self, Row};
 
 use crate::fact::Fact;
-use crate::row::Row;
 
 /// The longest time of a run, unless the sheet says another.
 const SECONDS: u32 = 60;
@@ -68,9 +67,12 @@ impl Run {
 impl Sheet {
     /// Reads the text of a sheet's file, `NAME.toml`.
     pub fn read(name: &str, text: &str) -> Result<Self, String> {
-        let file = format!("{name}.toml");
-        let table = DeTable::parse(text).map_err(|error| format!("{file}: {error}"))?;
-        let row = Row::new(&file, table.get_ref());
+        row::read(&format!("{name}.toml"), text, |row| {
+            Self::read_row(name, row)
+        })
+    }
+
+    fn read_row(name: &str, row: &Row) -> Result<Self, String> {
         let mut sheet = Self {
             name: name.to_owned(),
             title: row.get("title")?,

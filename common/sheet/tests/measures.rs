@@ -278,7 +278,11 @@ fn a_sheet_that_lacks_something_is_named() {
             "\"two words\"\nsays",
             "`name` must be one word",
         ),
-        ("value = 1", "value = nan", "`value` must be a number"),
+        (
+            "value = 1",
+            "value = nan",
+            "`value` must be a finite number",
+        ),
         ("page", "page = 1\npage", "glass.toml: "),
     ] {
         let text = [HEAD, picture, fact].concat().replacen(old, new, 1);

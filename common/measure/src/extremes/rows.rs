@@ -1,6 +1,7 @@
 //! The rows of `cases.toml` beside a laboratory: numbers in, a number out, in the format of the corpus.
 
-use corpus::{Fields, Mistake, Question};
+use common::row::{self, DeValue, Value};
+use corpus::Question;
 
 use super::{Bound, Case, Condition, Outcome, Protocol};
 use crate::Effort;
@@ -43,11 +44,14 @@ impl Row {
 ///
 /// If the file has a mistake, a single case that does not hold says so.
 pub fn rows(text: &str, effort: Effort, compute: impl Fn(&Row) -> Case) -> Vec<Case> {
-    let cases = corpus::read_each(text, |fields| case(fields, effort, &compute));
+    let cases = row::read("cases.toml", text, |file| {
+        let rows = file.rows("case")?;
+        rows.iter().map(|row| case(row, effort, &compute)).collect()
+    });
     cases.unwrap_or_else(|mistake| {
         vec![Case {
             id: "cases.toml".into(),
-            what: mistake.to_string(),
+            what: mistake,
             exact: Outcome::Flag(true),
             ours: Outcome::Flag(false),
             ..Case::default()
@@ -55,90 +59,87 @@ pub fn rows(text: &str, effort: Effort, compute: impl Fn(&Row) -> Case) -> Vec<C
     })
 }
 
-fn case(fields: &Fields, effort: Effort, compute: impl Fn(&Row) -> Case) -> Result<Case, Mistake> {
+fn case(of: &row::Row, effort: Effort, compute: impl Fn(&Row) -> Case) -> Result<Case, String> {
     let row = Row {
-        id: fields.text("id")?,
-        asks: match fields.value("asks") {
-            Some(_) => fields.text("asks")?,
-            None => "distance".to_owned(),
-        },
-        numbers: match fields.value("numbers") {
-            Some(_) => fields.numbers("numbers")?,
-            None => Vec::new(),
-        },
-        count: match fields.value("counts") {
-            Some(_) => {
-                let [quick, full]: [f64; 2] = fields.numbers("counts")?;
-                effort.choose(quick as usize, full as usize)
-            }
+        id: of.get("id")?,
+        asks: of.find("asks")?.unwrap_or_else(|| "distance".to_owned()),
+        numbers: of.find("numbers")?.unwrap_or_default(),
+        count: match of.find::<[f64; 2]>("counts")? {
+            Some([quick, full]) => effort.choose(quick as usize, full as usize),
             None => 0,
         },
-        ray: match fields.value("ray") {
-            Some(_) => Some(fields.question()?),
-            None => None,
+        ray: if of.has("ray") {
+            Some(Question::read(of)?)
+        } else {
+            None
         },
     };
-    Ok(Case {
+    let says: String = of.get("says")?;
+    let protocol: Option<String> = of.find("protocol")?;
+    let case = Case {
         id: row.id.clone(),
-        what: fields
-            .text("says")?
-            .replace("{count}", &row.count.to_string()),
-        exact: exact(fields)?,
-        bound: bound(fields)?,
-        condition: condition(fields)?,
-        protocol: match fields.value("protocol") {
-            Some(_) if fields.text("protocol")? == "fails" => Protocol::Fails,
+        what: says.replace("{count}", &row.count.to_string()),
+        exact: of.get("exact")?,
+        bound: bound(of)?,
+        condition: of.find("condition")?.unwrap_or(Condition::Unstated),
+        protocol: match protocol.as_deref() {
+            Some("fails") => Protocol::Fails,
             _ => Protocol::Holds,
         },
         ..compute(&row)
-    })
+    };
+    of.end()?;
+    Ok(case)
 }
 
-/// A number or three in quotes, a decision, `none` or `refused`.
-fn exact(fields: &Fields) -> Result<Outcome, Mistake> {
-    let form = "a number or three in quotes, true, false, none or refused";
-    let wrong = || fields.mistake("exact", form);
-    let value = fields.value("exact").ok_or_else(wrong)?;
-    if let Some(flag) = value.as_bool() {
-        return Ok(Outcome::Flag(flag));
+impl Value for Outcome {
+    fn form() -> String {
+        "a number or three in quotes, true, false, none or refused".to_owned()
     }
-    match value.as_str() {
-        Some("none") => return Ok(Outcome::Nothing),
-        Some("refused") => return Ok(Outcome::Refused),
-        Some(digits) => return Ok(Outcome::Number(digits.parse().map_err(|_| wrong())?)),
-        None => {}
+
+    fn read(value: &DeValue) -> Option<Self> {
+        let number = |value: &DeValue| value.as_str()?.parse().ok();
+        match value {
+            DeValue::Boolean(flag) => Some(Self::Flag(*flag)),
+            DeValue::String(word) if word == "none" => Some(Self::Nothing),
+            DeValue::String(word) if word == "refused" => Some(Self::Refused),
+            DeValue::String(_) => number(value).map(Self::Number),
+            DeValue::Array(all) => {
+                let numbers: Option<Vec<f64>> = all.iter().map(|x| number(x.get_ref())).collect();
+                Some(Self::Triple(numbers?.try_into().ok()?))
+            }
+            _ => None,
+        }
     }
-    let mut numbers = Vec::new();
-    for digits in value.as_array().ok_or_else(wrong)? {
-        let digits = digits.get_ref().as_str().ok_or_else(wrong)?;
-        numbers.push(digits.parse().map_err(|_| wrong())?);
-    }
-    Ok(Outcome::Triple(numbers.try_into().map_err(|_| wrong())?))
 }
 
 /// How far an outcome may be off: not at all; by units in the last place; by these times the condition; by a
 /// distance; or by roundings of 1.
-fn bound(fields: &Fields) -> Result<Bound, Mistake> {
-    let Some(bound) = fields.inner("bound") else {
+fn bound(row: &row::Row) -> Result<Bound, String> {
+    let Some(table) = row.table("bound")? else {
         return Ok(Bound::Equal);
     };
-    if bound.value("ulps").is_some() {
-        Ok(Bound::Ulps(bound.number("ulps")?))
-    } else if bound.value("conditions").is_some() {
-        let condition = fields.number("condition")?;
-        Ok(Bound::Ulps(bound.number("conditions")? * condition))
-    } else if bound.value("distance").is_some() {
-        Ok(Bound::Absolute(bound.number("distance")?))
+    let bound = if let Some(ulps) = table.find("ulps")? {
+        Bound::Ulps(ulps)
+    } else if let Some(conditions) = table.find::<f64>("conditions")? {
+        Bound::Ulps(conditions * row.get::<f64>("condition")?)
+    } else if let Some(distance) = table.find("distance")? {
+        Bound::Absolute(distance)
     } else {
-        Ok(Bound::Absolute(bound.number("epsilons")? * f64::EPSILON))
-    }
+        Bound::Absolute(table.get::<f64>("epsilons")? * f64::EPSILON)
+    };
+    table.end()?;
+    Ok(bound)
 }
 
 /// A number, or why there is none.
-fn condition(fields: &Fields) -> Result<Condition, Mistake> {
-    match fields.value("condition") {
-        None => Ok(Condition::Unstated),
-        Some(value) if value.is_str() => Ok(Condition::Without(fields.text("condition")?)),
-        Some(_) => Ok(Condition::Known(fields.number("condition")?)),
+impl Value for Condition {
+    fn form() -> String {
+        "a number, or why there is none".to_owned()
+    }
+
+    fn read(value: &DeValue) -> Option<Self> {
+        let number = f64::read(value).map(Self::Known);
+        number.or_else(|| String::read(value).map(Self::Without))
     }
 }

@@ -1,12 +1,11 @@
 //! Reads the row of a fact: all pictures that it names are there, and all places are inside of them.
 
 use common::Size;
-use toml::de::DeValue;
+use common::row::{DeValue, Row, Value};
 
 use super::Fact;
 use crate::line::Line;
 use crate::measure::{Channel, Exact, Measure, Region};
-use crate::row::{Row, Value};
 use crate::sheet::{Picture, Run, Sheet};
 use crate::slope::Axis;
 
@@ -31,6 +30,11 @@ impl Fact {
             because: row.get("because")?,
             hint: row.get("hint")?,
         };
+        for (key, number) in [("value", fact.value), ("within", fact.within)] {
+            if !number.is_finite() {
+                return Err(row.error(key, "must be a finite number"));
+            }
+        }
         row.end()?;
         Ok(fact)
     }

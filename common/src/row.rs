@@ -1,10 +1,21 @@
-//! `Row`: a table of a sheet or of a list. Its errors name the file, the row and the key, and it refuses keys that
-//! nobody has asked for.
+//! `Row`: a table of a list in TOML, such as of exercises, facts or cases. Its errors name the file, the row and the key,
+//! and it refuses keys that nobody has asked for.
 
 use std::cell::RefCell;
 use std::iter;
 
-use toml::de::{DeTable, DeValue};
+use toml::de::DeTable;
+pub use toml::de::DeValue;
+
+/// Reads the table of a file by a function.
+pub fn read<T>(
+    file: &str,
+    text: &str,
+    read: impl FnOnce(&Row) -> Result<T, String>,
+) -> Result<T, String> {
+    let table = DeTable::parse(text).map_err(|error| format!("{file}: {error}"))?;
+    read(&Row::new(file, table.get_ref()))
+}
 
 /// A value that a row has for a key.
 pub trait Value: Sized {
@@ -48,7 +59,7 @@ impl Value for f64 {
             DeValue::Integer(number) => number.as_str(),
             _ => return None,
         };
-        text.parse().ok().filter(|number: &Self| number.is_finite())
+        text.parse().ok()
     }
 }
 
@@ -94,9 +105,7 @@ pub struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// The table of a file.
-    #[must_use]
-    pub fn new(place: &str, table: &'a DeTable<'a>) -> Self {
+    fn new(place: &str, table: &'a DeTable<'a>) -> Self {
         Self {
             place: place.to_owned(),
             table,
@@ -117,6 +126,12 @@ impl<'a> Row<'a> {
         }
     }
 
+    /// Whether the row has a key.
+    pub fn has(&self, key: &'static str) -> bool {
+        self.know(key);
+        self.table.contains_key(key)
+    }
+
     /// The value of a key; none if the row lacks it.
     pub fn find<T: Value>(&self, key: &'static str) -> Result<Option<T>, String> {
         self.know(key);
@@ -134,6 +149,17 @@ impl<'a> Row<'a> {
         self.find(key)?.ok_or_else(missing)
     }
 
+    /// The table of a key; none if the row lacks it.
+    pub fn table(&self, key: &'static str) -> Result<Option<Row<'a>>, String> {
+        self.know(key);
+        let Some(value) = self.table.get(key) else {
+            return Ok(None);
+        };
+        let table = value.get_ref().as_table();
+        let table = table.ok_or_else(|| self.error(key, "must be a table"))?;
+        Ok(Some(Row::new(&format!("{}, {key}", self.place), table)))
+    }
+
     /// The rows `[[key]]`.
     pub fn rows(&self, key: &'static str) -> Result<Vec<Row<'a>>, String> {
         self.know(key);
@@ -143,7 +169,7 @@ impl<'a> Row<'a> {
         for (number, row) in iter::zip(1.., list) {
             let table = row.get_ref().as_table();
             let table = table.ok_or_else(|| self.error(key, "must be a table"))?;
-            let name = ["name", "scene"]
+            let name = ["name", "scene", "id"]
                 .iter()
                 .find_map(|key| table.get(*key)?.get_ref().as_str());
             let name = name.unwrap_or("without a name");
@@ -163,7 +189,7 @@ impl<'a> Row<'a> {
         let Some(unknown) = keys.find(|key| !known.contains(key)) else {
             return Ok(());
         };
-        let problem = match common::text::nearest(&known, unknown) {
+        let problem = match crate::text::nearest(&known, unknown) {
             Some(nearest) => format!("is no key here; the nearest is `{nearest}`"),
             None => format!("is no key here; its keys are {}", known.join(", ")),
         };
