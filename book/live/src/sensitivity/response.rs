@@ -108,8 +108,8 @@ fn side(
 }
 
 /// The slope by half the step, and how far off it may be: as far as the slope by the whole step is
-/// from it. Where both sides are known, half of what remains of their difference is added, once it is
-/// extrapolated to no step: nothing of a curve, but all of a bend at the value itself.
+/// from it. Where both sides are known, what remains of their difference is added, once it is extrapolated
+/// to no step: nothing of a curve, but all of a bend at the value itself.
 fn slope(sides: &[[Moved; 2]]) -> (Channels, f64) {
     let (mut by_half, mut by_whole) = ([0.0; 3], [0.0; 3]);
     let mut remaining = [0.0; 3];
@@ -124,7 +124,7 @@ fn slope(sides: &[[Moved; 2]]) -> (Channels, f64) {
     }
     let mut error = magnitude(minus(by_half, by_whole));
     if sides.len() == 2 {
-        error += magnitude(remaining) / 2.0;
+        error += magnitude(remaining);
     }
     (by_half, error)
 }

@@ -174,6 +174,24 @@ fn two_sides_with_two_slopes_have_none_together() {
     assert_eq!(found.kind, BEND, "{found:?}");
 }
 
+/// The same lamp, higher by less than a step: the slope at its place, (x² + z²)/|l|³, is known from one side
+/// only, and what the other side adds to it is in the error.
+#[test]
+fn a_bend_beside_the_number_is_in_the_error() {
+    for i in 1..40 {
+        let y = f64::from(i) / 1000.0;
+        let lit = format!("{DOWN}{LIT}shadows = false\n");
+        let found = response(
+            &lit.replace("[1, 2, -3]", &format!("[3, {y}, 4]")),
+            LAMP,
+            "position y",
+        );
+        let slope = 25.0 / (25.0 + y * y).powf(1.5);
+        let off = (found.channels[0] - GREY[0] * slope).abs();
+        assert!(found.kind == BEND || off <= found.error, "{y}: {found:?}");
+    }
+}
+
 /// cos^20000 of atan(0.0436/2) is e^-4.76, so that half a pixel takes 0.991 of the highlight: it is
 /// steep, and no jump.
 #[test]
