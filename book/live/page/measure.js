@@ -1,7 +1,5 @@
 // Error against run time: a work-precision diagram that the page measures, by the code of the reports.
 live.Measure = class {
-    static pixels = ['one in the middle', 'random', 'regular', 'stratified', 'n rooks', 'R2'];
-    static pictures = ['one in the middle', 'random', 'regular', 'stratified', 'adaptive'];
     // What is measured: its name in the module, and its name for the reader.
     static subjects = [
         ['a05-lighting-phong', 'phong, a picture'],
@@ -50,7 +48,8 @@ live.Measure = class {
         await this.run.forget();
         const { value } = this.subject;
         this.clear();
-        const names = value.startsWith('samples-') ? live.Measure.pixels : live.Measure.pictures;
+        const unknown = value.startsWith('samples-') ? ['adaptive'] : ['n rooks', 'R2'];
+        const names = live.WorkPrecision.methods.filter((name) => !unknown.includes(name));
         this.methods.replaceChildren(...names.map((name) => live.element('label', {},
             live.element('input', { type: 'checkbox', checked: true, value: name, onchange: () => this.run.forget().then(() => this.draw()) }), live.WorkPrecision.key(name), name)));
         this.recorded = live.recorded[value] ?? [];

@@ -126,11 +126,12 @@ live.Trace = class {
             const { text, views } = await live.ask(`drawing ${picture.name}`, [...picture.numbers(), ...pixel, sample]);
             this.shadow.innerHTML = `${text}${text}<style>
                 :host { display: flex; flex-wrap: wrap }
-                svg { flex: 1 1 18em; width: auto; height: auto; min-width: 0; font-size: 15px !important }
+                svg { flex: 1 1 18em; min-width: 0; height: auto; font-size: 15px !important }
             </style><style></style>`;
             // Both views are in one drawing, beside each other.
             for (const [index, svg] of [...this.shadow.querySelectorAll('svg')].entries()) {
-                svg.setAttribute('viewBox', views.slice(4 * index, 4 * index + 4).join(' '));
+                const view = views.slice(4 * index, 4 * index + 4);
+                Object.entries({ viewBox: view.join(' '), width: view[2], height: view[3] }).forEach((field) => svg.setAttribute(...field));
             }
         }
         // The first drawing may still be on its way.

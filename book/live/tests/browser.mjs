@@ -79,6 +79,12 @@ async function tryByHand() {
     expect(!(await chromium.value(`${picture}.explained`)), 'a drag explains a pixel');
     await chromium.click(`${picture}.canvas`);
     await chromium.until(`${picture}.explained.shadow.querySelector('.ray1')`);
+    // Each view shows its part of the drawing, and nothing beside it.
+    const shapes = await chromium.value(`[...${picture}.explained.shadow.querySelectorAll('svg')].map((svg) => {
+        const { width, height } = svg.getBoundingClientRect();
+        return (width / height) / (svg.viewBox.baseVal.width / svg.viewBox.baseVal.height);
+    })`);
+    expect(shapes.length === 2 && shapes.every((shape) => Math.abs(shape - 1) < 0.01), `the views of a pixel's rays have ${shapes} times their shape`);
     const station = () => chromium.value(`${picture}.explained.where.value`);
     const first = await station();
     await chromium.key('ArrowRight');
