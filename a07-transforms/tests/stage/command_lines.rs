@@ -78,6 +78,11 @@ fn a_text_that_is_there_is_kept_unless_it_is_to_be_replaced() {
             "mine.svg",
             "<svg",
         ),
+        (
+            "explain disc --pixel 2,2 --drawing mine.svg",
+            "mine.svg",
+            "<svg",
+        ),
     ] {
         let (said, code) = run(&folder, line);
         assert_eq!(

@@ -1,6 +1,6 @@
 //! Where pictures and texts are written: `Target` for pictures, `write_text` for a text.
 
-use std::fs::{self, Metadata};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file, text};
@@ -150,14 +150,11 @@ pub fn check_text(
 }
 
 /// Writes a text into a file that is checked, and says so. A file with another text is kept, which may be a person's
-/// work, unless the person wants it replaced.
+/// work, unless the person wants it replaced. A drawing is renewed, as pictures are.
 pub fn write_text(path: &Path, text: &str, other: &Replace) -> Result<(), Error> {
-    let is_other = |found: Metadata| {
-        found.len() != text.len() as u64
-            || !fs::read(path).is_ok_and(|found| found == text.as_bytes())
-    };
     let shown = text::path(path);
-    if !other.replace && fs::metadata(path).is_ok_and(is_other) {
+    let is_lost = |old: Vec<u8>| old != text.as_bytes() && !old.starts_with(b"<svg");
+    if !other.replace && fs::read(path).is_ok_and(is_lost) {
         return Err(Error::Usage(format!(
             "{shown} is there and has another text; it is kept, unless --replace is given"
         )));

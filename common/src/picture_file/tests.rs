@@ -269,6 +269,8 @@ fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
     let mut flipped = whole.clone();
     let data = whole.windows(4).position(|name| name == b"IDAT").unwrap();
     flipped[data + 12] ^= 1;
+    let mut bmp_of_inks = bmp(1, 1);
+    bmp_of_inks[30] = 11;
     let [quantisation, huffman] =
         [0xDB, 0xC4].map(|tables| with_segments(GRADIENTS[0], tables, &[]));
     for (bytes, reason) in [
@@ -290,6 +292,7 @@ fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
         ),
         (&bmp(30_000, 30_000), "size is 30000x30000, but must be"),
         (&bmp(8192, -8192), "the file ends too early"),
+        (&bmp_of_inks, "it is of a kind that is not supported ("),
         (
             include_bytes!("tests/arithmetic.jpg"),
             "it is of a kind that is not supported (unsupported JPEG feature: \
