@@ -100,10 +100,21 @@ fn read_row(stage: &'static str, row: &Row) -> Result<Exercise, String> {
 ///
 /// # Errors
 ///
-/// Fails if there is none; the error is the nearest name.
+/// Fails if there is none; the error is the nearest name, or those of a stage.
 pub fn find(name: &str) -> Result<&'static Exercise, String> {
+    let course = read_all()?;
+    let stage = format!("{name:0>2}");
+    let is_of_stage =
+        |e: &&Exercise| e.stage[..3] == *name || e.stage[1..3] == stage || e.stage == name;
+    let of_stage: Vec<_> = course.iter().filter(is_of_stage).map(|e| e.name).collect();
+    if !of_stage.is_empty() {
+        return Err(format!(
+            "the exercises of this stage are {}",
+            of_stage.join(", ")
+        ));
+    }
     let nearness = |e: &&Exercise| strsim::jaro(e.name, name);
-    let nearest = read_all()?
+    let nearest = course
         .iter()
         .max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
     match nearest {
@@ -208,5 +219,12 @@ mod tests {
         assert!(error.starts_with(lacks), "{error}");
         assert!(find("spere").unwrap_err().ends_with("sphere"));
         assert!(find("nosuch").unwrap_err().contains("no name is like it"));
+        for stage in ["1", "01", "a01", "a01-image-display"] {
+            let error = find(stage).unwrap_err();
+            assert!(
+                error.starts_with("the exercises of this stage are set_pixel,"),
+                "{error}"
+            );
+        }
     }
 }

@@ -31,11 +31,12 @@ pub mod tokens;
 mod watch;
 mod wrap;
 
+use std::env;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use common::text;
 
 pub use build::arguments;
@@ -53,6 +54,9 @@ pub use submit::is_added;
 /// The exercises whose code the corpus of ray failures asks.
 const SHAPES: [&str; 5] = ["plane", "axis_aligned_box", "triangle", "sphere", "disc"];
 
+/// The least Jaro similarity of a word that may have been meant as a command.
+const ALIKE: f64 = 0.9;
+
 const ALL_DONE: &str = "all exercises are done; with a name, one is shown again";
 
 /// Leads through the exercises of all stages, and checks them on save
@@ -68,7 +72,7 @@ struct CommandLine {
 #[derive(Args)]
 struct OrNext {
     /// An exercise [default: the next that is not done]
-    #[arg(value_name = "EXERCISE", value_parser = exercise::find)]
+    #[arg(value_name = "EXERCISE", value_parser = named)]
     name: Option<&'static Exercise>,
 }
 
@@ -116,6 +120,7 @@ fn run() -> Result<String, String> {
     #[cfg(unix)]
     let _ = signals::clean_up_at_signals();
     let course = exercise::read_all()?;
+    check_first_word()?;
     let CommandLine { command, shown } = CommandLine::parse();
     match command {
         None => with_chosen(&shown, course, |e| watch::watch(course, e)),
@@ -133,6 +138,30 @@ fn run() -> Result<String, String> {
         Some(Command::Program(program)) => program.run(course),
         Some(Command::Sheet(sheet)) => sheet.run(),
     }
+}
+
+/// The exercise of this name. The error is the nearest name of an exercise or a command.
+fn named(word: &str) -> Result<&'static Exercise, String> {
+    exercise::find(word).map_err(|problem| {
+        let commands = CommandLine::command();
+        let mut names = commands.get_subcommands().map(clap::Command::get_name);
+        match names.find(|name| strsim::jaro(name, word) > ALIKE) {
+            Some(name) => format!("the nearest is the command {name}"),
+            None => problem,
+        }
+    })
+}
+
+/// An error if several words begin with one that is neither an exercise nor a command.
+fn check_first_word() -> Result<(), String> {
+    let mut words = env::args().skip(1);
+    if let (Some(word), Some(_)) = (words.next(), words.next())
+        && !word.starts_with('-')
+        && CommandLine::command().find_subcommand(&word).is_none()
+    {
+        named(&word).map_err(|problem| format!("{}: {problem}", text::name(&word)))?;
+    }
+    Ok(())
 }
 
 /// Does something with the named exercise, or the next that is not done.

@@ -163,8 +163,22 @@ fn each_step_is_answered() {
     let hint = learn(&["hint", "own"]).output().unwrap();
     assert_eq!(hint.stdout, b"Its title\n\nHint 1 of 1\n\nIts hint.\n");
 
-    let output = learn(&["hint", "diagnal"]).output().unwrap();
-    assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
+    for (words, nearest) in [
+        (&["hint", "diagnal"][..], "diagonal"),
+        (&["progam"], "the nearest is the command program"),
+        (
+            &["progam", "../mine"],
+            "progam: the nearest is the command program",
+        ),
+        (
+            &["a01"],
+            "the exercises of this stage are set_pixel, diagonal",
+        ),
+    ] {
+        let output = learn(words).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(said.contains(nearest), "{said}");
+    }
     if cfg!(target_os = "linux") {
         let full = File::create("/dev/full").unwrap();
         let output = learn(&["list"]).stdout(full).output().unwrap();
