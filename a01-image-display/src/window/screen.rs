@@ -209,7 +209,7 @@ impl Screen {
             entries.push(("O", "open", Key::O));
         }
         entries.extend([("R", "back", Key::R), ("C", "camera", Key::C)]);
-        if gallery.could_be_fast() {
+        if gallery.could_be_fast().is_some() {
             entries.push(("F", "fast", Key::F));
         }
         entries.extend([("H", "keys", Key::H), ("Esc", "close", Key::Escape)]);

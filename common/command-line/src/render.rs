@@ -91,6 +91,16 @@ fn warn_error(error: &Error) {
     warn(&format!("error: {error}"));
 }
 
+/// What the fast renderer does with a picture. Only where an error is allowed it may end reflections that the
+/// lesson follows.
+pub const fn sooner(settings: &Settings) -> &'static str {
+    if settings.max_error.is_some() {
+        "keeps the error, too, and is sooner"
+    } else {
+        "draws the same picture sooner"
+    }
+}
+
 /// Renders a scene, with a bar on the terminal.
 pub fn render(
     scene: &Scene,
@@ -99,7 +109,7 @@ pub fn render(
     options: &Options,
 ) -> Result<Image, Error> {
     let is_lesson = scene.uses.sampling && settings.renderer == Renderer::Lesson;
-    let hint = is_lesson.then_some("note: --fast draws the same picture sooner");
+    let hint = is_lesson.then(|| format!("note: --fast {}", sooner(settings)));
     let progress = TerminalProgress::new(scene.name, settings.size).with_hint(hint);
     let threads = options.thread_pool()?;
     let image = threads.install(|| scene.render(settings, &progress))?;

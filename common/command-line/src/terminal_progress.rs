@@ -15,7 +15,7 @@ pub struct TerminalProgress {
     bar: ProgressBar,
     sampled: OnceLock<SamplingReport>,
     /// Printed once, when the picture takes long.
-    hint: Option<&'static str>,
+    hint: Option<String>,
     has_hinted: AtomicBool,
 }
 
@@ -33,7 +33,7 @@ impl TerminalProgress {
     }
 
     /// The same bar, which prints a hint above it if the picture takes long.
-    pub fn with_hint(mut self, hint: Option<&'static str>) -> Self {
+    pub fn with_hint(mut self, hint: Option<String>) -> Self {
         self.hint = hint;
         self
     }
@@ -41,7 +41,7 @@ impl TerminalProgress {
     fn print_hint(&self) {
         let elapsed = self.bar.elapsed();
         let to_go = self.bar.eta();
-        if let Some(hint) = self.hint
+        if let Some(hint) = &self.hint
             && is_worth_a_hint(elapsed, to_go)
             && !self.has_hinted.swap(true, Ordering::Relaxed)
         {

@@ -1,13 +1,13 @@
 //! `why_black`: why a picture is black all over. The engine draws it again with one change at a time,
-//! such as no shadows: a change that brings light into the picture is the reason.
+//! such as no shadows. A reason says what such a picture proves, and nothing about places that no ray has met.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use a02_math::Point3;
 use a02_math::arrays::array;
-use a02_math::{Point3, Vector3};
 use common::pixel_trace::digits;
 use common::{Color, Progress, Renderer, Settings, Size};
-use engine::{Emitter, Phong, Scene, Shading, Surface};
+use engine::{Emitter, Light, Scene, Shading, Surface};
 
 use crate::{Ray, View, camera_coordinates, registry};
 
@@ -57,107 +57,23 @@ impl View {
 
     /// Why the objects that rays meet are black.
     fn why_unlit(&self, settings: &Settings) -> Option<String> {
-        let shows_light =
-            |phong: &Phong| phong.diffuse != Color::BLACK || phong.specular != Color::BLACK;
-        if !self.is_lit(settings, |scene| whiten(scene, shows_light)) {
-            return None;
-        }
+        let eye = self.middle_ray(settings.size).origin();
         let scene = self.world.for_engine(settings.depth)?;
-        let mut lamps = Vec::new();
-        for light in &scene.lights {
-            lamps.push(match light.kind {
-                Emitter::Point { color, .. }
-                | Emitter::Spot { color, .. }
-                | Emitter::Directional { color, .. } => color,
-                Emitter::Other(_) => return None,
-            });
-        }
-        if lamps.iter().all(|lamp| *lamp == Color::BLACK) {
-            let lamps = if lamps.is_empty() {
+        let is_black = |light: &Light| light.max_radiance() == Color::BLACK;
+        if scene.ambient == Color::BLACK && scene.lights.iter().all(is_black) {
+            let lamps = if scene.lights.is_empty() {
                 "no lamp"
             } else {
                 "its lamps are black"
             };
             let reason = format!("the scene has no light: {lamps}, and no ambient light");
-            return (scene.ambient == Color::BLACK).then_some(reason);
+            return self
+                .is_lit(settings, |scene| add_light(scene, eye))
+                .then_some(reason);
         }
-        if let Some(object) = self.object_around(&scene, settings.size) {
-            return Some(format!(
-                "the camera is within {object}, where no light gets"
-            ));
-        }
-        if self.is_lit(settings, open_spots) {
-            let reason = "a spot light is turned away from what is seen, or its cone is too narrow: \
-                          a point light in its place would light it";
-            return Some(reason.to_owned());
-        }
-        if self.is_lit(settings, end_shadows) {
-            let reason = "objects block the light: without shadows it would arrive";
-            return Some(reason.to_owned());
-        }
-        let with_both = |scene: &mut Scene| {
-            open_spots(scene);
-            end_shadows(scene);
-        };
-        if self.is_lit(settings, with_both) {
-            let reason = "spot lights are turned away from what is seen, and objects block them";
-            return Some(reason.to_owned());
-        }
-        // A surface that can show each lamp is black because all cosines are 0.
-        let shows_each_lamp = |surface: &Surface| match &surface.shading {
-            Shading::SingleColor(_) => true,
-            Shading::Phong(phong) if phong.diffuse == Color::BLACK => true,
-            Shading::Phong(phong) => {
-                let black = |lamp: &Color| phong.diffuse * *lamp == Color::BLACK;
-                !lamps.iter().any(black)
-            }
-            Shading::Other(_) => false,
-        };
-        let is_behind = scene.surfaces.iter().all(shows_each_lamp)
-            && self.is_lit(settings, |scene| {
-                whiten(scene, |phong| phong.diffuse != Color::BLACK);
-            });
-        let reason = "no lamp is in front of the surfaces with a diffuse color that are seen";
-        is_behind.then(|| reason.to_owned())
-    }
-
-    /// The name of an object with the eye in it and all lamps outside, all with shadows. It is around the
-    /// eye, and between the eye and each lamp it is met once.
-    fn object_around(&self, scene: &Scene, size: Size) -> Option<String> {
-        let eye = self.middle_ray(size).origin();
-        let (object, _) = self.world.nearest(&self.middle_ray(size))?;
-        let meets = |from: Point3, direction: Vector3| {
-            let (met, t) = self.world.nearest(&Ray::derived(from, direction))?;
-            (met == object).then_some(t)
-        };
-        for i in 0..27 {
-            let [x, y, z] = [i % 3, i / 3 % 3, i / 9].map(|side| f64::from(side) - 1.0);
-            if i != 13 {
-                meets(eye, Vector3::new(x, y, z).normalized()?)?;
-            }
-        }
-        for light in &scene.lights {
-            if !light.casts_shadows {
-                return None;
-            }
-            match light.kind {
-                Emitter::Point { position, .. } | Emitter::Spot { position, .. } => {
-                    let lamp = Point3::from_glam(position);
-                    let there = lamp - eye;
-                    let distance = there.magnitude();
-                    let there = there.normalized()?;
-                    let sum = meets(eye, there)? + meets(lamp, -there)?;
-                    if (sum - distance).abs() > 1e-6 * distance {
-                        return None;
-                    }
-                }
-                Emitter::Directional { direction, .. } => {
-                    meets(eye, -Vector3::from_glam(direction))?;
-                }
-                Emitter::Other(_) => return None,
-            }
-        }
-        Some(self.world.object_name(object))
+        let mut reasons = REASONS.iter();
+        let (_, reason) = reasons.find(|(change, _)| self.is_lit(settings, |s| change(s, eye)))?;
+        Some((*reason).to_owned())
     }
 
     /// The camera's place and direction, if its rays meet nothing.
@@ -211,16 +127,45 @@ impl Progress for FirstLight {
     }
 }
 
-/// Makes the surfaces that `is_white` white in the dark, and all others black; mirrors stay.
-fn whiten(scene: &mut Scene, is_white: impl Fn(&Phong) -> bool) {
-    scene.background = Color::BLACK;
-    for surface in &mut scene.surfaces {
-        let color = match &surface.shading {
-            Shading::Phong(phong) if is_white(phong) => Color::WHITE,
-            _ => Color::BLACK,
-        };
-        surface.shading = Shading::SingleColor(color);
-    }
+/// A change of a scene whose camera is at this place.
+type Change = fn(&mut Scene, Point3);
+
+/// Changes, and what is true if a change brings light into the picture and those above it do not.
+const REASONS: [(Change, &str); 4] = [
+    (
+        |scene, _| open_spots(scene),
+        "a spot light is turned away from what is seen, or its cone is too narrow: a point light in \
+         its place would light it",
+    ),
+    (
+        |scene, _| end_shadows(scene),
+        "objects block the light: without shadows it would arrive",
+    ),
+    (
+        |scene, _| {
+            open_spots(scene);
+            end_shadows(scene);
+        },
+        "spot lights are turned away from what is seen, and objects block them",
+    ),
+    (
+        move_lamps,
+        "what is seen, by its normals and colors, sends no light of the lamps to the camera: lamps at \
+         the camera's place would light it",
+    ),
+];
+
+/// Adds white ambient light, and a white lamp at the eye.
+fn add_light(scene: &mut Scene, eye: Point3) {
+    scene.ambient = Color::WHITE;
+    let lamp = Emitter::Point {
+        color: Color::WHITE,
+        position: eye.to_glam(),
+    };
+    scene.add_light(Light {
+        kind: lamp,
+        casts_shadows: false,
+    });
 }
 
 /// Makes each spot light a point light.
@@ -238,5 +183,21 @@ fn open_spots(scene: &mut Scene) {
 fn end_shadows(scene: &mut Scene) {
     for light in &mut scene.lights {
         light.casts_shadows = false;
+    }
+}
+
+/// Makes each lamp a point light at the eye without shadows.
+fn move_lamps(scene: &mut Scene, eye: Point3) {
+    end_shadows(scene);
+    for light in &mut scene.lights {
+        if let Emitter::Point { color, .. }
+        | Emitter::Spot { color, .. }
+        | Emitter::Directional { color, .. } = light.kind
+        {
+            light.kind = Emitter::Point {
+                color,
+                position: eye.to_glam(),
+            };
+        }
     }
 }

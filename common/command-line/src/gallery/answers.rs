@@ -10,6 +10,7 @@ use super::{Gallery, Job};
 use crate::explained_pixel::ExplainedPixel;
 use crate::opened_file::OpenedFile;
 use crate::print::print;
+use crate::render::sooner;
 use crate::save::save_beside_others;
 use crate::target::{check_png, make_default_folder};
 
@@ -50,8 +51,11 @@ impl Gallery<'_> {
         if !self.message.is_empty() {
             lines.push(self.message.clone());
         }
-        if self.is_rendering() && self.picture.is_slow() && self.could_be_fast() {
-            lines.push("F: the fast renderer draws the same picture sooner".to_owned());
+        if self.is_rendering()
+            && self.picture.is_slow()
+            && let Some(slow) = self.could_be_fast()
+        {
+            lines.push(format!("F: the fast renderer {}", sooner(&slow)));
         }
         let Some(scene) = self.scene() else {
             return lines;
