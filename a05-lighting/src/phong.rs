@@ -51,6 +51,10 @@ impl Phong {
 impl Material for Phong {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.matt.ambient(lighting);
+        // A black surface, such as a pure mirror, asks for no light.
+        if self.matt.diffuse == Color::BLACK && self.specular == Color::BLACK {
+            return color;
+        }
         lighting.for_each_light(ray, hit, &mut |light| {
             color += self.matt.diffuse_term(hit, light) + self.highlight(ray, hit, light);
         });

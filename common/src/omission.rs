@@ -8,12 +8,10 @@ pub enum Omission {
     FartherOccluders,
     /// Shadow rays to lights that cast no shadows.
     LightsWithoutShadows,
-    /// Shadow rays to lights of the colour 0.
-    BlackLights,
     /// Shadow rays to lights behind the surface.
     LightsBehind,
-    /// Shadow rays from surfaces whose colour does not depend on light.
-    UnlitSurfaces,
+    /// Shadow rays to lights of which the surface reflects nothing.
+    UnreflectedLight,
     /// Powers of highlights that are black or mirrored away from the eye.
     UnseenHighlights,
     /// Reflected rays from surfaces that mirror nothing.
@@ -29,12 +27,11 @@ pub enum Omission {
 impl Omission {
     /// All kinds, in the order in which a measurement puts them back: each with those before it, so
     /// that work which several of them leave out counts for the last check that the ray would pass.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 9] = [
         Self::FartherOccluders,
         Self::LightsWithoutShadows,
-        Self::BlackLights,
         Self::LightsBehind,
-        Self::UnlitSurfaces,
+        Self::UnreflectedLight,
         Self::UnseenHighlights,
         Self::BlackMirrors,
         Self::FaintReflections,
@@ -43,12 +40,11 @@ impl Omission {
     ];
 
     /// The omissions of the lesson.
-    pub const OF_LESSON: [Self; 7] = [
+    pub const OF_LESSON: [Self; 6] = [
         Self::FartherOccluders,
         Self::LightsWithoutShadows,
-        Self::BlackLights,
         Self::LightsBehind,
-        Self::UnlitSurfaces,
+        Self::UnreflectedLight,
         Self::UnseenHighlights,
         Self::BlackMirrors,
     ];

@@ -28,17 +28,13 @@ impl Words {
                 "shadow rays to a light that casts no shadows",
                 "the light arrives, whatever is between",
             ),
-            Omission::BlackLights => (
-                "shadow rays to a light of the colour 0",
-                "it brings no light",
-            ),
             Omission::LightsBehind => (
                 "shadow rays to a light behind the surface",
                 "Lambert's cosine is at most 0 and counts as 0",
             ),
-            Omission::UnlitSurfaces => (
-                "shadow rays from surfaces of a single colour",
-                "their colour does not depend on the light",
+            Omission::UnreflectedLight => (
+                "shadow rays to a light of which the surface reflects nothing",
+                "the product is 0, or the colour does not depend on the light",
             ),
             Omission::UnseenHighlights => (
                 "powers of highlights that nobody sees",

@@ -44,6 +44,11 @@ fn black_lamp() -> ShadowedWorld {
     lit_by(Color::BLACK, 5.0, true).with(plane(), black_highlight())
 }
 
+fn black_floor() -> ShadowedWorld {
+    let black = Reflective::new(Color::BLACK, Color::BLACK, 1.0, Color::BLACK).unwrap();
+    lit(5.0, true).with(plane(), Box::new(black))
+}
+
 fn single_color() -> ShadowedWorld {
     let red = SingleColor::new(Color::RED).unwrap();
     lit(5.0, true).with(plane(), Box::new(red))
@@ -96,10 +101,11 @@ fn work(world: fn() -> ShadowedWorld, depth: u32) -> [Counts; 2] {
 /// the dark.
 #[test]
 fn the_work_that_is_left_out_is_not_counted() {
-    let cases: [(fn() -> ShadowedWorld, _, _, _, _, _); 6] = [
+    let cases: [(fn() -> ShadowedWorld, _, _, _, _, _); 7] = [
         (matt_without_shadows, 3, [1, 3], [0, 1], [0, 1], [0, 1]),
         (lamp_below, 1, [1, 2], [0, 1], [0, 0], [0, 1]),
         (black_lamp, 1, [1, 2], [0, 1], [0, 0], [0, 1]),
+        (black_floor, 1, [1, 2], [0, 1], [0, 0], [0, 1]),
         (single_color, 1, [1, 2], [0, 1], [0, 0], [0, 0]),
         (occluder, 1, [3, 4], [1, 1], [0, 0], [0, 0]),
         (mirror, 2, [3, 3], [1, 1], [1, 1], [0, 1]),

@@ -60,6 +60,28 @@ fn a_search_for_shadows_ends_in_a_mesh_and_in_a_use() {
     }
 }
 
+/// A green floor reflects nothing of red light, so six red lamps cost the engine no ray and no power.
+#[test]
+fn a_light_of_which_the_surface_reflects_nothing_costs_the_engine_no_ray() {
+    let green = "diffuse = [0, 1, 0]\nspecular = [0, 0.5, 0]\nexponent = 20";
+    let floor = FLOOR.replace("diffuse = [1, 1, 1]", green);
+    let lamp = "[[point_light]]\ncolor = [1, 0, 0]\nposition = [0, 9, 0]\n";
+    let lit = floor.clone() + &lamp.repeat(6);
+    let (of_floor, counts) = work(&floor, Renderer::Engine, Omissions::ALL);
+    assert_eq!(counts[StepKind::ShadowRay], RAYS);
+    let (of_engine, with_red) = work(&lit, Renderer::Engine, Omissions::ALL);
+    assert_eq!(with_red, counts);
+    let without = Omissions::ALL.without(Omission::UnreflectedLight);
+    let (put_back, all) = work(&lit, Renderer::Engine, without);
+    assert_eq!(all[StepKind::ShadowRay], 7 * RAYS);
+    let (of_lesson, _) = work(&lit, Renderer::Lesson, Omissions::ALL);
+    assert!(
+        [of_engine, put_back, of_lesson]
+            .iter()
+            .all(|image| *image == of_floor)
+    );
+}
+
 /// Two groups that move nothing cost the engine no ray, unless this work is put back: then two for
 /// each test of the ball.
 #[test]

@@ -63,7 +63,7 @@ impl Lighting for OmittingTracer<'_> {
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        let omits_black = self.omissions.contains(Omission::BlackLights);
+        let omits_black = self.omissions.contains(Omission::UnreflectedLight);
         let omits_behind = self.omissions.contains(Omission::LightsBehind);
         let omits_without_shadows = self.omissions.contains(Omission::LightsWithoutShadows);
         let point = ray.at(hit.t);

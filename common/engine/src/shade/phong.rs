@@ -30,12 +30,6 @@ impl Phong {
         self.exponent != 0.0
     }
 
-    /// Whether the light of any source can change its colour.
-    #[must_use]
-    pub fn responds_to_light(&self) -> bool {
-        self.diffuse != Color::BLACK || self.has_highlight()
-    }
-
     /// Upper bound of its colour, per channel, with this ambient light and this sum of
     /// the light of all sources.
     pub(crate) fn max_radiance(&self, ambient: Color, lights: Color) -> Color {
@@ -49,8 +43,6 @@ pub(crate) struct PhongPacket<S: Simd> {
     diffuse: ColorPacket<S>,
     specular: ColorPacket<S>,
     exponents: [f64; 4],
-    /// A bit for each that responds to light.
-    pub responds_to_light: u32,
     has_highlight: u32,
     /// A bit for each that is not Lambert's, which has no power to take.
     has_power: u32,
@@ -65,7 +57,6 @@ impl<S: Simd> PhongPacket<S> {
             diffuse: ColorPacket::splat(simd, material.diffuse),
             specular: ColorPacket::splat(simd, material.specular),
             exponents: [material.exponent; 4],
-            responds_to_light: bits(material.responds_to_light()),
             has_highlight: bits(material.has_highlight()),
             has_power: bits(material.has_power()),
         }
@@ -82,7 +73,6 @@ impl<S: Simd> PhongPacket<S> {
             diffuse: ColorPacket::new(simd, materials.map(|phong| phong.diffuse)),
             specular: ColorPacket::new(simd, materials.map(|phong| phong.specular)),
             exponents: materials.map(|phong| phong.exponent),
-            responds_to_light: bits(Phong::responds_to_light),
             has_highlight: bits(Phong::has_highlight),
             has_power: bits(Phong::has_power),
         }
@@ -92,6 +82,13 @@ impl<S: Simd> PhongPacket<S> {
     #[inline(always)]
     pub fn ambient(&self, ambient: Color) -> ColorPacket<S> {
         self.diffuse * ColorPacket::splat(self.diffuse.r.simd, ambient)
+    }
+
+    /// A bit for each that reflects light of its colour. Where this product is 0, those of the diffuse term and of
+    /// the highlight are, too.
+    #[inline(always)]
+    pub fn reflects(&self, light: ColorPacket<S>) -> u32 {
+        !((self.diffuse + self.specular) * light).are_black()
     }
 
     /// The light of one source at hits with these normals, seen along rays with these

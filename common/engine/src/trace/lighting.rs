@@ -81,16 +81,9 @@ impl Tracer<'_> {
         queries.clear();
         for (at, vertex) in vertices.iter().enumerate() {
             let (rays, hit) = (&paths[vertex.path].rays, &vertex.hits.hit);
-            let mut responding = vertex.hits.hit_mask;
-            if self.omits(Omission::UnlitSurfaces) {
-                responding &= vertex.material.responds_to_light;
-            }
-            if responding == 0 {
-                continue;
-            }
-            let mut of_source = source.illuminate(rays.at(hit.t), responding);
-            if self.omits(Omission::BlackLights) {
-                of_source.lit &= !of_source.color.are_black();
+            let mut of_source = source.illuminate(rays.at(hit.t), vertex.hits.hit_mask);
+            if self.omits(Omission::UnreflectedLight) {
+                of_source.lit &= vertex.material.reflects(of_source.color);
             }
             let facing = hit.normal.dot(of_source.direction).simd_gt(0.0);
             if self.omits(Omission::LightsBehind) {

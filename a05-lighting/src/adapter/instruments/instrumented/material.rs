@@ -2,6 +2,7 @@
 //! all lights, and a Phong material takes a power for each.
 
 use std::cell::Cell;
+use std::hint::black_box;
 
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
@@ -52,34 +53,13 @@ impl Material for InstrumentedMaterial {
             is_used: Cell::new(false),
         };
         let color = shaded(ray, hit, self.rows, &*self.material, || {
-            match self.rows.as_phong(&*self.material) {
-                Some(phong) if self.takes_every_power() => {
-                    with_every_power(phong, ray, hit, &light)
-                }
-                _ => self.material.color_for(ray, hit, &light),
-            }
+            self.material.color_for(ray, hit, &light)
         });
-        if !light.is_used.get() && !self.omissions.contains(Omission::UnlitSurfaces) {
+        if !light.is_used.get() && !self.omissions.contains(Omission::UnreflectedLight) {
             steps::untraced(|| light.for_each_light(ray, hit, &mut |_| ()));
         }
         color
     }
-}
-
-/// The colour of a Phong material with the power of each light, also of one whose highlight is
-/// black or not mirrored to the eye.
-fn with_every_power(phong: &Phong, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-    let mut color = phong.matt.ambient(lighting);
-    lighting.for_each_light(ray, hit, &mut |light| {
-        let r = light.direction.reflected_on(hit.normal);
-        let cosine = (-ray.direction()).dot(r);
-        let power = power(cosine.clamp(0.0, 1.0), phong.exponent);
-        let highlight = phong.specular * light.color * power;
-        let is_mirrored = hit.normal.dot(light.direction) > 0.0 && cosine > 0.0;
-        let seen = if is_mirrored { highlight } else { Color::BLACK };
-        color += phong.matt.diffuse_term(hit, light) + seen;
-    });
-    color
 }
 
 /// Reports the nearest hit, and the colour of its material with the steps of `shade`, which
@@ -111,9 +91,20 @@ fn step(kind: StepKind, part: &str, rows: Materials, material: &dyn Material) ->
 }
 
 impl InstrumentedMaterial {
-    /// Whether a Phong material takes powers for highlights that nobody sees.
-    const fn takes_every_power(&self) -> bool {
-        !self.omissions.contains(Omission::UnseenHighlights)
+    /// Counts the power that a Phong material takes for a light. Of a highlight that nobody sees it takes one
+    /// here, where this work is not left out.
+    fn count_power(&self, ray: &Ray, hit: &Hit, light: &Illumination) {
+        let Some(phong) = self.rows.as_phong(&*self.material) else {
+            return;
+        };
+        let cosine = (-ray.direction()).dot(light.direction.reflected_on(hit.normal));
+        let is_mirrored = hit.normal.dot(light.direction) > 0.0 && cosine > 0.0;
+        if is_mirrored && phong.specular != Color::BLACK {
+            steps::count(StepKind::Power, 1);
+        } else if !self.omissions.contains(Omission::UnseenHighlights) {
+            black_box(power(cosine.clamp(0.0, 1.0), phong.exponent));
+            steps::count(StepKind::Power, 1);
+        }
     }
 
     /// The ambient light that the material reflects.
@@ -186,31 +177,18 @@ impl Lighting for InstrumentedLighting<'_> {
         let instrumented = self.instrumented;
         let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
         self.lighting.for_each_light(ray, hit, &mut |light| {
-            let phong = instrumented.rows.as_phong(&*instrumented.material);
-            let takes_every_power = phong.is_some() && instrumented.takes_every_power();
-            let is_seen = phong.is_some_and(|phong| is_seen(phong, ray, hit, light));
-            steps::count(StepKind::Power, (takes_every_power || is_seen).into());
-            let is_black = light.color == Color::BLACK;
-            let is_lit = !is_black && hit.normal.dot(light.direction) > 0.0;
-            let is_lit = is_lit || instrumented.gets_all_light;
-            if is_lit {
+            instrumented.count_power(ray, hit, light);
+            // These are the conditions of the lesson.
+            let is_dark = light.color == Color::BLACK || hit.normal.dot(light.direction) <= 0.0;
+            if instrumented.gets_all_light || !is_dark {
                 steps::push(StepKind::ReflectedLight, |kind| {
                     instrumented.reflected(kind, ray, hit, light)
                 });
-            }
-            if is_lit || takes_every_power {
                 shade(light);
             }
         });
         steps::so_far(|steps| add_outcomes(&mut steps[first..], hit));
     }
-}
-
-/// Whether the highlight of a light is seen, so that the lesson takes its power.
-fn is_seen(phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
-    let (e, l) = (-ray.direction(), light.direction);
-    let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;
-    is_mirrored && phong.specular != Color::BLACK
 }
 
 /// Adds to the step of each light whether it arrives at the hit, or why it does not.
