@@ -12,6 +12,9 @@ use crate::{SceneText, list};
 /// The names of materials.
 const MATERIALS: [&str; 3] = ["a", "b", "c"];
 
+/// A mirror for corridors.
+const MIRROR: &str = "[material.mirror]\nreflection = [0.875, 1, 0.5]\n";
+
 /// The tables in which shapes stand.
 const GROUPS: [&str; 2] = ["group", "repeat"];
 
@@ -74,17 +77,24 @@ impl<'a> Writer<'a> {
         }
         let world = self.table("world");
         let materials = MATERIALS.map(|name| self.table("material").replace("NAME", name));
-        for table in [world].iter().chain(&materials) {
+        let picture = self.table("picture");
+        for table in [picture, world, MIRROR.to_owned()].iter().chain(&materials) {
             if self.is_accepted(table) {
                 self.head += table;
             }
         }
         let lights = TABLES.iter().filter(|kind| kind.is_light());
         let lights: Vec<_> = lights.collect();
-        for _ in 0..self.numbers.below(5) {
+        for _ in 0..self.numbers.one_of(&[0, 1, 2, 3, 9]) {
             let light = self.numbers.one_of(&lights);
             let light = self.table(light.name);
-            self.add(&light, &light);
+            // Some stand there twice.
+            for _ in 0..=usize::from(self.numbers.below(8) == 0) {
+                self.add(&light, &light);
+            }
+        }
+        if self.numbers.below(6) == 0 {
+            self.add_corridor();
         }
         for name in ["part", "whole"] {
             let table = self.table("define").replace("NAME", name) + &self.surface();
@@ -137,6 +147,21 @@ impl<'a> Writer<'a> {
         is_accepted
     }
 
+    /// Two mirrors that face each other: between them a ray ends by the depth alone.
+    fn add_corridor(&mut self) {
+        let (axis, distance) = (self.numbers.below(3), self.numbers.one_of(&[2.5, 9.0]));
+        for side in [-distance, distance] {
+            let (mut at, mut normal) = ([0.0; 3], [0.0; 3]);
+            (at[axis], normal[axis]) = (side, -side);
+            let plane = format!(
+                "[[plane]]\npoint = {}\nnormal = {}\nmaterial = \"mirror\"\n",
+                list(&self.numbers.at(at)),
+                list(&normal)
+            );
+            self.add(&plane, &plane);
+        }
+    }
+
     /// Shapes side by side, with gaps, across an axis: rays along this axis that it mirrors stay neighbours, and others
     /// go on to the wall behind it.
     fn add_wall(&mut self) {
@@ -164,7 +189,7 @@ impl<'a> Writer<'a> {
             let kind = self.numbers.one_of(&kinds);
             let has_shapes = GROUPS.contains(&kind.name);
             let is_in_itself = kind.name == "use" && prefix.starts_with("define.part");
-            if is_in_itself || has_shapes && level > 1 {
+            if is_in_itself || has_shapes && level > 3 {
                 continue;
             }
             let mut keys = self.keys(kind);

@@ -23,3 +23,6 @@ mod refusal;
 pub use exercises::{assert_close, missing};
 pub use random::{Random, for_seeds};
 pub use refusal::assert_refused;
+
+/// The files of the lesson and of the engine with the same formula, for the message that their pictures differ.
+pub const FORMULAS: &str = include_str!("formulas.txt");

@@ -18,6 +18,8 @@ use common::{Image, Renderer, Scene, Settings, Stage, Transfer, fnv1a, picture_f
 
 use common::difference::{compare_with_file, leave_pictures};
 
+use crate::FORMULAS;
+
 pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use omission_table::check_book;
 pub use program_run::check_program;
@@ -184,7 +186,7 @@ pub fn check(stage: &Stage, test: &str, places: &TestPaths) {
             let difference = format!("the picture of {} {differs}: {difference}", scene.name);
             let scratch = Path::new(places.scratch);
             panic!(
-                "{}",
+                "{}\n{FORMULAS}",
                 leave_pictures(scratch, &expected, &image, &difference)
             );
         }

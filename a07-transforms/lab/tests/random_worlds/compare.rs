@@ -3,11 +3,13 @@
 use std::collections::HashSet;
 use std::env;
 use std::ops::Range;
+use std::path::Path;
 
 use a03_rays_cameras::View;
 use a03_rays_cameras::registry::Format;
-use common::{Color, Image, Renderer, Sampling, Settings, Size};
+use common::{Color, Image, Renderer, Sampling, Settings};
 use scene_file::SceneFile;
+use testing::FORMULAS;
 
 use crate::scenes::{file, style, text};
 
@@ -32,7 +34,7 @@ pub fn compare(seed: u64, view: impl Fn() -> View, settings: &Settings) -> Image
         }
         assert!(
             different == 0,
-            "{name} differs in {different} pixels, seed {seed}"
+            "{name} differs in {different} pixels, seed {seed}\n{FORMULAS}"
         );
     }
     lesson
@@ -51,7 +53,7 @@ pub fn or_asked(seeds: Range<u64>) -> Range<u64> {
     seeds.start..asked.map_or(seeds.end, |count| seeds.start + count)
 }
 
-/// Compares the renderers in the scenes of these seeds, or in more of them, with settings of all kinds. A scene
+/// Compares the renderers in the scenes of these seeds, or in more of them, with the settings of each. A scene
 /// without a view has numbers beyond the limits of the lesson. Most of them have to have a picture, and some of these
 /// more than ten colours.
 pub fn compare_scenes(
@@ -69,15 +71,17 @@ pub fn compare_scenes(
         if view(seed, &file).is_none() {
             continue;
         }
-        // More rays than a batch of the engine has, and fewer.
-        let (width, height) = [(32, 32), (16, 12), (7, 40), (5, 3)][seed as usize / 3 % 4];
-        let settings = Settings {
-            size: Size::new(width, height).unwrap(),
-            samples: 1 + seed as u32 / 2 % 2,
-            sampling: [Sampling::Center, Sampling::Random][seed as usize / 2 % 2],
-            depth: [4, 5, 3, 6, 1, 0][seed as usize % 6],
-            ..Settings::default()
+        let Ok((mut settings, _)) = format.scene(&file) else {
+            continue;
         };
+        if settings.samples > 1 {
+            settings.sampling = Sampling::ALL[1 + seed as usize % 3];
+        }
+        // Where an error is allowed the engine may end reflections, so these scenes have none.
+        if (format.stage < 6 || settings.depth == 1) && seed % 2 == 0 {
+            settings.samples = settings.samples.max(16);
+            settings.max_error = Some(1.0 / 64.0);
+        }
         let image = compare(seed, || view(seed, &file).unwrap(), &settings);
         let mut colors = HashSet::new();
         for color in image.pixels() {
@@ -95,4 +99,12 @@ pub fn compare_scenes(
         is_colorful,
         "only {colorful} of {count} pictures have more than ten colours"
     );
+}
+
+#[test]
+fn the_files_of_all_formulas_exist() {
+    let workbook = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for file in FORMULAS.lines().skip(1).flat_map(|line| line.split(", ")) {
+        assert!(workbook.join(file).is_file(), "{file}");
+    }
 }

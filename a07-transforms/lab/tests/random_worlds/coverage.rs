@@ -9,17 +9,28 @@ use scene_file::TABLES;
 use crate::scenes::text;
 
 /// What several keys say together, by a part of the text.
-const TOGETHER: [(&str, &str); 10] = [
+const TOGETHER: [(&str, &str); 14] = [
     ("negative factor", "scale = [-"),
     ("tiny factor", "1e-9]"),
     ("flat mesh", "smooth = false"),
     ("smooth mesh", "smooth = true"),
     ("group in a group", "group.group."),
+    ("three groups in each other", "group.group.group."),
+    ("corridor of mirrors", "material = \"mirror\""),
+    ("bright color", "3e20"),
+    ("color of almost 0", "1e-310"),
     ("group in a repeat", "repeat.group."),
     ("repeat in a definition", "[define.whole.repeat."),
     ("definition in a definition", "[define.whole.use]]"),
     ("mesh in a definition", "[define.part.mesh]]"),
     ("light without shadows", "shadows = false"),
+];
+
+/// What whole tables say together.
+const MORE: [&str; 3] = [
+    "two shapes at one place",
+    "over four lamps",
+    "two equal lamps",
 ];
 
 /// Whether two shapes stand at one place: all keys of a shape stand before its surface.
@@ -32,6 +43,14 @@ fn is_twice(text: &str) -> bool {
     })
 }
 
+/// Whether it has over four lamps, and whether two of them are equal.
+fn lamps(text: &str) -> [bool; 2] {
+    let tables = text.split("\n[[").map(str::trim_end);
+    let lamps: Vec<_> = tables.filter(|table| table.contains("_light]]")).collect();
+    let are_equal = lamps.windows(2).any(|pair| pair[0] == pair[1]);
+    [lamps.len() > 4, are_equal]
+}
+
 #[test]
 fn every_kind_of_input_occurs_in_random_scenes() {
     let mut counts: HashMap<String, usize> = HashMap::new();
@@ -42,16 +61,18 @@ fn every_kind_of_input_occurs_in_random_scenes() {
         found.extend(together.map(|(name, _)| (*name).to_owned()));
         let meshes = MESHES.map(|name| format!("file = {name:?}"));
         found.extend(meshes.into_iter().filter(|mesh| text.contains(mesh)));
-        if is_twice(&text) {
-            found.insert("two shapes at one place".to_owned());
+        let [has_many, are_equal] = lamps(&text);
+        for (name, is_there) in MORE.iter().zip([is_twice(&text), has_many, are_equal]) {
+            if is_there {
+                found.insert((*name).to_owned());
+            }
         }
         for name in found {
             *counts.entry(name).or_default() += 1;
         }
     }
-    let mut expected = vec!["two shapes at one place".to_owned()];
-    // The settings of a picture are those of the tests.
-    for kind in TABLES.iter().filter(|kind| kind.name != "picture") {
+    let mut expected: Vec<_> = MORE.map(str::to_owned).into();
+    for kind in TABLES.iter() {
         // Tables in a table have no meaning of their own.
         let keys = kind.keys.iter().filter(|key| !key.about.is_empty());
         expected.extend(keys.map(|key| format!("{} {}", kind.name, key.name)));

@@ -10,6 +10,16 @@ use crate::list;
 use crate::meshes::{MESHES, mesh};
 use crate::numbers::{Numbers, Style};
 
+/// The brightest colour, whose decimals tell it in the text.
+const BRIGHT: f64 = 3e20;
+
+/// The rows of a transform without the last one.
+type Matrix = [[f64; 4]; 3];
+
+fn rows(matrix: &Matrix) -> String {
+    format!("[{}]", matrix.map(|row| list(&row)).join(", "))
+}
+
 impl Writer<'_> {
     /// Random values for the keys of a table, but not for the surface of a shape.
     pub(super) fn keys(&mut self, kind: &Kind) -> String {
@@ -21,6 +31,8 @@ impl Writer<'_> {
                 Missing::Needed | Missing::NeededWith(_) => true,
                 Missing::NeededOr(_) => !is_other,
                 Missing::InsteadOf(_) => is_other,
+                // A picture of the size that stands for a missing one takes long.
+                Missing::Optional if key.name == "size" => true,
                 // Tables in a table have no meaning of their own.
                 Missing::Optional => !key.about.is_empty() && self.numbers.below(3) > 0,
             };
@@ -34,6 +46,10 @@ impl Writer<'_> {
 
     fn value(&mut self, key: &Key) -> String {
         match &key.form {
+            Form::Color if key.range.contains(BRIGHT) && self.numbers.below(12) == 0 => {
+                let color = [(); 3].map(|()| self.numbers.one_of(&[0.0, 1e-310, 0.5, BRIGHT]));
+                list(&color)
+            }
             Form::Color => self.color(),
             Form::Flag => self.numbers.one_of(&["true", "false"]).to_owned(),
             Form::Text if key.name == "file" => {
@@ -82,16 +98,28 @@ impl Writer<'_> {
                 point.to_vec()
             }
             Some(Unit::Length) => vec![numbers.unit * numbers.one_of(&[0.25, 0.5, 1.0, 0.7])],
-            Some(Unit::Degree) => in_range(numbers, &[0.0, 90.0, 180.0, 30.0, 40.0, 3.0]),
+            Some(Unit::Degree) => {
+                in_range(numbers, &[0.0, 90.0, 180.0, 30.0, 40.0, 3.0, 0.5, 120.0])
+            }
             Some(Unit::Scale) => in_range(numbers, &[1.0, 1.0, 1.0, -1.0, 0.5, -2.0, 1e-9]),
-            Some(Unit::Whole) => in_range(numbers, &[1.0, 2.0, 3.0]),
-            _ => in_range(numbers, &[0.0, 1.0, 2.5, 64.0, 1024.0]),
+            Some(Unit::Whole) => in_range(
+                numbers,
+                match key.name {
+                    // More rays than a batch of the engine has, and fewer.
+                    "size" => &[1.0, 3.0, 7.0, 12.0, 16.0, 32.0, 40.0],
+                    "samples" => &[1.0, 4.0, 9.0],
+                    "depth" => &[1.0, 2.0, 3.0, 5.0, 40.0],
+                    _ => &[1.0, 2.0, 3.0, 5.0],
+                },
+            ),
+            _ => in_range(numbers, &[0.0, 0.5, 1.0, 2.5, 20.0, 64.0, 1024.0]),
         };
         if numbers.style == Style::Any && numbers.below(4) == 0 {
             values[0] = numbers.any();
         }
         if key.form.is_whole() {
-            return format!("[{}]", values[0]);
+            let values: Vec<_> = values.iter().map(f64::to_string).collect();
+            return format!("[{}]", values.join(", "));
         }
         list(&values)
     }
@@ -114,12 +142,33 @@ impl Writer<'_> {
         let steps = &kind("step").keys;
         let key = &steps[self.numbers.below(steps.len())];
         match key.name {
-            "matrix" => "{ matrix = [[-1, 0e0, 0e0, 1], [0e0, 2, 0e0, 0e0], [0e0, 0e0, 1, 0e0]] }"
-                .to_owned(),
-            "inverse" => "{ matrix = [[1, 0e0, 0e0, 2], [0e0, -1, 0e0, 0e0], [0e0, 0e0, 1, 0e0]], \
-                inverse = [[1, 0e0, 0e0, -2], [0e0, -1, 0e0, 0e0], [0e0, 0e0, 1, 0e0]] }"
-                .to_owned(),
+            "matrix" => {
+                let (mut matrix, _) = self.matrix();
+                matrix[0][self.numbers.below(3)] += self.numbers.one_of(&[0.0, 0.125]);
+                format!("{{ matrix = {} }}", rows(&matrix))
+            }
+            "inverse" => {
+                let (matrix, inverse) = self.matrix();
+                format!(
+                    "{{ matrix = {}, inverse = {} }}",
+                    rows(&matrix),
+                    rows(&inverse)
+                )
+            }
             name => format!("{{ {name} = {} }}", self.value(key)),
         }
+    }
+
+    /// A matrix that exchanges axes, stretches them by powers of two, and moves; and its exact inverse.
+    fn matrix(&mut self) -> (Matrix, Matrix) {
+        let (turn, to) = (self.numbers.below(3), self.numbers.point());
+        let (mut matrix, mut inverse) = ([[0.0; 4]; 3], [[0.0; 4]; 3]);
+        for row in 0..3 {
+            let column = (row + turn) % 3;
+            let factor = self.numbers.one_of(&[1.0, 1.0, -1.0, 2.0, -0.5]);
+            (matrix[row][column], matrix[row][3]) = (factor, to[row]);
+            (inverse[column][row], inverse[column][3]) = (1.0 / factor, 0.0 - to[row] / factor);
+        }
+        (matrix, inverse)
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Mutex;
 use common::{Renderer, Sampling, SamplingReport, Scene, Settings, Size, Stage};
 
 use super::render;
+use crate::FORMULAS;
 
 /// Few pixels, so that a scene can be rendered several times.
 pub(super) fn small(scene: &Scene) -> Settings {
@@ -71,7 +72,7 @@ pub fn check_omissions(stage: &Stage) {
             let name = scene.name;
             assert!(
                 is_same,
-                "{renderer:?} draws another picture of {name} than the lesson"
+                "{renderer:?} draws another picture of {name} than the lesson\n{FORMULAS}"
             );
         }
     }
