@@ -23,7 +23,7 @@ pub fn csv(provenance: &[(&str, String)], all: &[Named]) -> String {
     for (key, words) in provenance {
         let _ = writeln!(csv, "# {key}: {words}");
     }
-    csv += "# seconds: processor time of one thread; medians, and intervals of 95 %\n";
+    csv += "# seconds: processor time of one thread; medians, and intervals of 95 % in this run\n";
     for Named { name, measured } in all {
         let e = &measured.experiment;
         let (question, error, exact, seeds) = (e.question, e.error, e.exact, seeds(e));

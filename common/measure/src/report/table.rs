@@ -20,7 +20,7 @@ impl Measured<'_> {
         let _ = writeln!(text, "  {} ({unit}), {exact}", e.error);
         let _ = writeln!(
             text,
-            "  ± is half of the interval of 95 %{}",
+            "  ± is half of the interval of 95 %, which for a time holds in this run{}",
             self.beyond_max()
         );
         let has_front = e.opposite.is_none() || opposite.is_some();

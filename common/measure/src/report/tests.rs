@@ -46,7 +46,7 @@ fn slopes_and_fronts_are_computed_from_errors_and_times() {
     let rows = "\
 square-root: Is the error one over the square root?
   rms error (white = 1), against 0
-  ± is half of the interval of 95 %; max is of 1 inputs: with 95 %, at most 95 % of all inputs have a greater error
+  ± is half of the interval of 95 %, which for a time holds in this run; max is of 1 inputs: with 95 %, at most 95 % of all inputs have a greater error
   method                              n          steps             error       max             time  time / first method
   a < b                              10             10  (5.00 ± 0.01)e-1    5.0e-1     2.0ms ± 50 %
   a < b                              20             20  (2.50 ± 0.01)e-1    2.5e-1     4.0ms ± 50 %
