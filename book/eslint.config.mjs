@@ -18,6 +18,6 @@ export default [
     {
         files: ['**/*.mjs'],
         languageOptions: { globals: globals.node },
-        rules: { ...rules, 'no-unused-vars': 'error' },
+        rules,
     },
 ];

@@ -104,8 +104,9 @@ live.Extremes = class {
     }
 
     count(error) {
-        const digits = Number(error.toPrecision(error < 1e6 ? 2 : 4));
-        return `${digits.toLocaleString('en', error >= 1e6 || error < 1e-3 ? { notation: 'scientific', maximumFractionDigits: 3 } : { maximumSignificantDigits: 2 })} ${this.now.unit}`;
+        const [digits, power] = error.toExponential(error < 1 ? 1 : 3).split('e').map(Number);
+        const isPlain = error === 0 || (power >= -3 && power < 6);
+        return `${isPlain ? error.toLocaleString('en', { maximumSignificantDigits: 2 }) : `${digits}·${live.Extremes.ten(power)}`} ${this.now.unit}`;
     }
 
     off(error) {

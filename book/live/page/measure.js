@@ -122,7 +122,8 @@ live.Measure = class {
     // Which method reaches an error soonest, with how many samples, and how sure that is.
     async answer(error) {
         if (!this.points.length) {
-            return this.say(`Which method reaches an error of ${live.digits(error)} soonest on this machine? Guess, and measure.`);
+            const rings = this.recorded.length ? 'Each ring is one sample per pixel, as recorded on another machine: farther left is faster, farther down more exact.' : '';
+            return this.say(this.guess ? 'Now measure on your machine.' : rings);
         }
         const reach = await this.run.module.ask('measure soonest', [error]);
         const { names } = this;
