@@ -6,6 +6,7 @@ use live::{Answer, call};
 
 mod arithmetic;
 mod measuring;
+mod omissions;
 mod sensitivity;
 mod sweeps;
 
