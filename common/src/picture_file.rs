@@ -87,10 +87,12 @@ fn decode_lossless(
     Size::new(width, height).map_err(|error| error.to_string())?;
     let orientation = decoder.orientation().map_err(explain)?;
     let pixels = DynamicImage::from_decoder(decoder).map_err(explain)?;
-    match png_faults::fault(bytes).filter(|_| format == ImageFormat::Png) {
-        Some(fault) => Err(format!("{fault}; save it anew with another program")),
-        None => Ok((pixels, orientation)),
+    if format == ImageFormat::Png
+        && let Some(fault) = png_faults::fault(bytes)
+    {
+        return Err(format!("{fault}; save it anew with another program"));
     }
+    Ok((pixels, orientation))
 }
 
 fn explain(error: ImageError) -> String {
