@@ -64,10 +64,7 @@ pub fn error(point: &Row) -> String {
         let percent = error.over(0.01);
         return match error.value {
             0.0 => format!("below {} %", Sure::around(0.0, percent.high).half()),
-            1.0 => format!(
-                "all but {} %",
-                Sure::around(0.0, 100.0 - percent.low).half()
-            ),
+            1.0 => "all".to_owned(),
             _ => format!("{} %", sure(percent)),
         };
     }
