@@ -6,6 +6,7 @@ mod files;
 mod forgotten;
 mod include;
 mod left_over;
+mod named;
 mod recorded;
 mod way_of_a_ray;
 
@@ -27,9 +28,10 @@ macro_rules! checks {
 }
 
 checks! {
-    every_page_picture_and_file_is_reached: left_over::complaints;
+    every_page_and_picture_is_reached: left_over::complaints;
     every_listing_shows_something: include::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
+    what_a_text_names_exists: named::complaints;
     each_file_of_tests_is_compiled: forgotten::complaints;
     each_exercise_is_in_its_lists: forgotten::exercises;
     each_anchor_has_a_figure: recorded::anchors;

@@ -3,7 +3,7 @@
 //! A [`Question`] is a value: words, numbers, and whether they are simple. The
 //! solution of an exercise answers all its questions; these answers, with how far another right
 //! answer may be from them, are its [`Record`], a text file beside the solutions. The questions
-//! stand there, too, or in the check. A student's
+//! stand there, too. A student's
 //! program answers the same questions, and [`verdict`] compares: it is the only comparison of
 //! `cargo learn`, of the grader, of the tests and of the book's pages, and none of them needs a
 //! solution for it.

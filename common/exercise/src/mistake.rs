@@ -3,11 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::Answer;
+use crate::row::{NoSingleAnswer, Row, Tolerance};
 
 /// The most answers of a mistake that are recorded; of the others it is known that they are
 /// wrong.
-const MOST: usize = 4;
-use crate::row::{NoSingleAnswer, Row, Tolerance};
+const MAX_ANSWERS: usize = 4;
 
 /// A mistake of learners, and how code that makes it answers the questions of an exercise. Its
 /// answers are the right ones in the rows that nothing is said about.
@@ -35,7 +35,7 @@ impl Mistake {
             if !matches!(right.difference(&its.answer), Ok(Some(_))) {
                 continue;
             }
-            if mistake.answers.len() < MOST {
+            if mistake.answers.len() < MAX_ANSWERS {
                 let answer = (its.answer.clone(), its.tolerance.clone());
                 mistake.answers.insert(number, answer);
             } else if its.tolerance == Tolerance::RoundingDecides {
