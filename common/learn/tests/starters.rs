@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use learn::{exercise, files};
 
 /// Names that the standard library has, too, of which a learner of Rust knows.
-const OF_RUST: [&str; 4] = ["default", "from", "get", "map"];
+const OF_RUST: [&str; 5] = ["default", "find", "from", "get", "map"];
 
 #[test]
 fn starters_name_what_solutions_call() {
