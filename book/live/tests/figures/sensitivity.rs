@@ -186,7 +186,7 @@ fn a_bend_beside_the_number_is_in_the_error() {
             LAMP,
             "position y",
         );
-        let slope = 25.0 / (25.0 + y * y).powf(1.5);
+        let slope = 25.0 / libm::pow(25.0 + y * y, 1.5);
         let off = (found.channels[0] - GREY[0] * slope).abs();
         assert!(found.kind == BEND || off <= found.error, "{y}: {found:?}");
     }
