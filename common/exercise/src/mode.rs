@@ -22,7 +22,7 @@ pub enum Mode {
     Corpus,
     /// A grader, who compares: it prints the answers.
     Grader,
-    /// The author of a known mistake: it prints the answers, and a record of them with how far each may move.
+    /// The author of right answers or of a known mistake: it prints the answers, and a record of them with how far each may move.
     Mistake,
 }
 
