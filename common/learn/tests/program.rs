@@ -101,7 +101,7 @@ fn nothing_is_written_before_all_is_checked() {
     let (printed, is_right) = program("../mine");
     assert!(is_right, "{printed}");
     for words in [
-        "../mine/Cargo.toml gets dependencies.libm, dependencies.common, profile.dev,",
+        "../mine/Cargo.toml gets libm, common, [profile.dev], [profile.release]; the next build",
         "edited there, and so left as they are: own",
         "../mine/src/main.rs calls them after the lines: mod functions; use functions::*;",
     ] {

@@ -23,7 +23,7 @@ const SPARED: [&str; 3] = ["image", "moxcms", "pxfm"];
 pub struct Manifest {
     path: PathBuf,
     text: String,
-    /// The names of the tables that have been added.
+    /// The names of the libraries and profiles that have been added.
     added: Vec<String>,
 }
 
@@ -66,7 +66,7 @@ impl Manifest {
     }
 }
 
-/// The text of a manifest with `common`, `libm`, these stages and the profiles, and the names of the tables that have
+/// The text of a manifest with `common`, `libm`, these stages and the profiles, and the names of what has
 /// been added.
 ///
 /// # Errors
@@ -86,10 +86,14 @@ pub fn complete(mut text: String, stages: &[&str]) -> Result<(String, Vec<String
             if !is_kept && !has(table.get_ref(), keys) {
                 let name = keys.join(".").replace('*', "\"*\"");
                 lacking.extend(["\n[", &name, "]\n", lines]);
-                added.push(name);
+                added.push(match keys[..] {
+                    ["dependencies", library] => library.to_owned(),
+                    _ => format!("[profile.{}]", keys[1]),
+                });
             }
         }
     }
+    added.dedup();
     let is_windows = text.contains("\r\n");
     if !text.is_empty() && !text.ends_with('\n') {
         lacking.insert(0, '\n');
