@@ -134,7 +134,7 @@ live.LeftOut = class {
             quotients = lines.map(({ quotient }) => (/^no /.test(quotient) ? `makes ${quotient}` : `takes ${quotient} times as long`));
         });
         const beside = this.engine.checked ? 'by the lesson' : 'with all switches on';
-        return `Beside the picture ${beside} (${live.time(base)}): yours ${quotients[1]}; all work ${quotients[2]}. Medians, with the interval that holds the true one with 95 %; ${[measured, ...this.run.doubts()].join('. ')}`;
+        return `Beside the picture ${beside} (${live.time(base)}): yours ${quotients[1]}; all work ${quotients[2]}. Medians, with the interval that holds the true one with 95 % in this run; ${[measured, ...this.run.doubts()].join('. ')}`;
     }
 };
 

@@ -21,7 +21,7 @@ live.Measure = class {
         this.diagram = new live.WorkPrecision(
             live.newest((point) => this.show(point), live.complain(this.caption)),
             live.newest((error) => this.answer(error), ({ message }) => this.say(message)));
-        const hint = 'Farther left is faster, farther down more exact. Thin: recorded on another machine; before your guess only what one sample per pixel costs. A bar is an interval of 95 %; large marks are on the Pareto front. A browser tells the time on the wall, in which your machine may do other work, too. '
+        const hint = 'Farther left is faster, farther down more exact. Thin: recorded on another machine; before your guess only what one sample per pixel costs. A bar is an interval of 95 %, of a time in this run; large marks are on the Pareto front. A browser tells the time on the wall, in which your machine may do other work, too. '
             + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
         this.root = live.panel('Which method reaches your error soonest, here?', live.fold('How to read it', hint),
             live.div('live-controls', this.subject, ' ', this.methods),

@@ -189,7 +189,7 @@ impl<'a> Writer<'a> {
             let kind = self.numbers.one_of(&kinds);
             let has_shapes = GROUPS.contains(&kind.name);
             let is_in_itself = kind.name == "use" && prefix.starts_with("define.part");
-            if is_in_itself || has_shapes && level > 3 {
+            if is_in_itself || has_shapes && level > 2 {
                 continue;
             }
             let mut keys = self.keys(kind);

@@ -78,7 +78,7 @@ pub fn compare_scenes(
             settings.sampling = Sampling::ALL[1 + seed as usize % 3];
         }
         // Where an error is allowed the engine may end reflections, so these scenes have none.
-        if (format.stage < 6 || settings.depth == 1) && seed % 2 == 0 {
+        if (format.stage < 6 || settings.depth == 1) && seed % 4 == 0 {
             settings.samples = settings.samples.max(16);
             settings.max_error = Some(1.0 / 64.0);
         }
