@@ -89,7 +89,7 @@ fn the_sign_of_a_zero_changes_no_picture_of_the_book() {
             let pictures = [&file, &negated].map(|file| {
                 let (settings, view) = FORMAT.scene(file).unwrap();
                 let settings = Settings {
-                    size: Size::new(48, 36).unwrap(),
+                    size: Size::new(24, 18).unwrap(),
                     renderer,
                     ..settings
                 };
