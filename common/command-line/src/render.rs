@@ -160,3 +160,19 @@ pub fn print_notes(scene: &Scene) {
         warn(&format!("note: {note}"));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_faster_picture_is_the_same_where_no_error_is_allowed() {
+        let exact = Settings::default();
+        let settings = Settings {
+            max_error: Some(0.125),
+            ..exact.clone()
+        };
+        assert!(sooner(&exact).contains("same picture"));
+        assert!(!sooner(&settings).contains("same"));
+    }
+}
