@@ -97,11 +97,20 @@ pub fn judge<'a>(
 }
 
 impl Judgement<'_> {
-    /// The number of facts that hold.
+    /// The number of facts that hold. They count only if pictures of one colour would not fulfil them all.
     #[must_use]
     pub fn passed(&self) -> usize {
-        let is_right = |state: &&State| matches!(state, State::Right(_));
-        self.states.iter().filter(is_right).count()
+        let mut right = Vec::new();
+        for (fact, state) in self.sheet.facts.iter().zip(&self.states) {
+            if let State::Right(_) = state {
+                right.push(fact);
+            }
+        }
+        if right.iter().any(|fact| fact.measure.needs_two_colors()) {
+            right.len()
+        } else {
+            0
+        }
     }
 
     /// The first fact that does not hold.

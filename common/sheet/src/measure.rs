@@ -45,6 +45,11 @@ impl Measure {
         "mean", "greatest", "least", "alike", "edge", "width", "spread", "same", "growth", "slope",
     ];
 
+    /// Whether a picture of one colour can have no such value: it has no edge, and its error does not fall.
+    pub const fn needs_two_colors(&self) -> bool {
+        matches!(self, Self::Edge(_) | Self::Width(_) | Self::Slope { .. })
+    }
+
     /// The region that is measured; none of a line and of whole pictures.
     pub const fn region(&self) -> Option<Region> {
         match self {

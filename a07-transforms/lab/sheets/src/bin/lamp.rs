@@ -112,13 +112,16 @@ fn lying([x, y, z]: [f64; 3], width: f64, depth: f64) -> Lamp {
 fn scene(name: &str) -> Result<Scene, Error> {
     let floor = Plane::new(Point3::ORIGIN, UP.as_normal())?;
     let objects = World::new(Color::BLACK)?.with(floor, Color::WHITE);
-    let (c, r) = (Point3::new(2.0, 0.75, 0.0), 0.25);
+    let (c, r) = (Point3::new(2.0, 0.75, 0.5), 0.25);
     let (objects, lamp) = match name {
         "lamp-wall" => {
             let [lbf, run] = [Point3::new(-0.2, 0.0, -20.0), Point3::new(0.0, 2.0, 20.0)];
             let wall = AxisAlignedBox::new(lbf, run)?;
+            let above = Point3::new(0.0, 6.0, 0.0);
+            let ceiling = Plane::new(above, Normal3::new(0.0, -1.0, 0.0))?;
+            let objects = objects.with(wall, Color::WHITE);
             let lamp = lying([-3.75, 5.0, -1.0], 1.5, 2.0);
-            (objects.with(wall, Color::WHITE), lamp)
+            (objects.with(ceiling, Color::WHITE), lamp)
         }
         "lamp-light" => (objects, lying([1.0, 1.0, -1.0], 2.0, 2.0)),
         "lamp-stands" => {
