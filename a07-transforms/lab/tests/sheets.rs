@@ -44,6 +44,8 @@ struct Mistake {
     program: String,
     fails: String,
     forgets: String,
+    /// The number that the fact measures, or why there is none.
+    measured: String,
     line: String,
     instead: String,
 }
@@ -57,6 +59,7 @@ fn mistakes(sheet: &str) -> Vec<Mistake> {
                 program: format!("{sheet}_{number}"),
                 fails: row.get("fails")?,
                 forgets: row.get("forgets")?,
+                measured: row.get("measured")?,
                 line: row.get("line")?,
                 instead: row.get("instead")?,
             });
@@ -130,6 +133,17 @@ fn judged<'a>(sheet: &'a Sheet, program: &str, seed: u32, facts: Facts) -> Judge
     program.judge(sheet, facts).unwrap()
 }
 
+/// Whether a report begins with this number, of three digits, or with none.
+fn has_measured(report: &str, measured: &str) -> bool {
+    let words = report.split_once("  measured  ").map(|(_, words)| words);
+    let found = words.and_then(|words| words.split([' ', ':']).next());
+    match (measured.parse::<f64>(), found.map(str::parse::<f64>)) {
+        (Ok(measured), Some(Ok(found))) => (found - measured).abs() <= 0.006 * found.abs(),
+        (Err(_), None) => true,
+        _ => false,
+    }
+}
+
 fn answers_are_told_apart(name: &str, answers: &[&str], seeds: u32) {
     let text = fs::read_to_string(format!("{WORKBOOK}/common/sheet/sheets/{name}.toml")).unwrap();
     let sheet = &Sheet::read(name, &text).unwrap();
@@ -154,6 +168,11 @@ fn answers_are_told_apart(name: &str, answers: &[&str], seeds: u32) {
                 problems.push(format!(
                     "{forgets}, seed {seed}: must fail first at {fails}\n{report}"
                 ));
+            }
+            if seed == 0 && !has_measured(&judgement.report(), &mistake.measured) {
+                let Mistake { forgets, .. } = &mistake;
+                let report = judgement.report();
+                problems.push(format!("{forgets}: another number is measured\n{report}"));
             }
             if judgement.tolerances_off() >= FAR {
                 break;

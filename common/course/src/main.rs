@@ -3,6 +3,7 @@
 
 mod collected;
 mod copies;
+mod defence;
 mod exercise_record;
 mod grade;
 mod grading_folder;
@@ -30,6 +31,7 @@ use clap::Parser;
 use common::text;
 use learn::exercise::{self, Exercise};
 
+use defence::Defence;
 use grade::Grade;
 use handout::Handout;
 use mistake::Mistake;
@@ -42,6 +44,7 @@ enum Command {
     Handout(Handout),
     Grade(Grade),
     Mistake(Mistake),
+    Defence(Defence),
     Prove(Prove),
 }
 
@@ -65,6 +68,7 @@ fn run(command: Command) -> Result<String, String> {
         Command::Handout(handout) => handout.run(course),
         Command::Grade(grade) => grade.run(course),
         Command::Mistake(mistake) => mistake.run(course),
+        Command::Defence(defence) => defence.run(),
         Command::Prove(prove) => prove.run(course),
     }
 }

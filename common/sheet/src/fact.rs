@@ -19,7 +19,8 @@ pub struct Fact {
     pub(crate) measure: Measure,
     /// The right value.
     pub value: f64,
-    pub(crate) formula: String,
+    /// The formula of the right value.
+    pub formula: String,
     pub(crate) within: f64,
     /// Whether lower values are right, too.
     pub(crate) or_less: bool,
