@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use learn::tokens;
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::outcome::Graded;
 
@@ -28,7 +28,15 @@ impl Structure {
     }
 
     fn add(&mut self, tokens: TokenStream, names: &mut BTreeMap<String, usize>) {
-        for token in tokens {
+        let tokens: Vec<_> = tokens.into_iter().collect();
+        let mut at = 0;
+        while let Some(token) = tokens.get(at) {
+            let others = not_compared(&tokens[at..]);
+            if others > 0 {
+                at += others;
+                continue;
+            }
+            at += 1;
             match token {
                 TokenTree::Group(group) => {
                     self.0.push(format!("{:?}", group.delimiter()));
@@ -43,6 +51,30 @@ impl Structure {
                 TokenTree::Punct(_) | TokenTree::Literal(_) => self.0.push(token.to_string()),
             }
         }
+    }
+}
+
+/// How many of these tokens, from the first on, are a comment of documentation, or what the workbook gives to all: the
+/// examples of an exercise, and a function `main`, whose lines stand in the book.
+fn not_compared(tokens: &[TokenTree]) -> usize {
+    let is_doc = |token: Option<&TokenTree>| {
+        let Some(TokenTree::Group(bracket)) = token else {
+            return false;
+        };
+        let inner: Vec<_> = bracket.stream().into_iter().collect();
+        bracket.delimiter() == Delimiter::Bracket && tokens::begin(&inner, &["doc", "="])
+    };
+    let is_body = |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+    if tokens::begin(tokens, &["#"]) && is_doc(tokens.get(1)) {
+        2
+    } else if tokens::begin(tokens, &["#", "!"]) && is_doc(tokens.get(2)) {
+        3
+    } else if tokens::begin(tokens, &["fn", "main"])
+        || tokens::begin(tokens, &["testing", ":", ":", "examples", "!"])
+    {
+        tokens.iter().position(is_body).map_or(0, |body| body + 1)
+    } else {
+        0
     }
 }
 
@@ -151,6 +183,10 @@ mod tests {
         let mut graded = [
             hand_in("ada", &code("refract", "", 3)),
             hand_in("bob", &code("bend", "// my own\n\n", 3)),
+            hand_in(
+                "eva",
+                &format!("//! Mine.\n{}", code("bend", "/// Mine, too.\n", 3)),
+            ),
             hand_in("cleo", &code("refract", "", 4)),
             hand_in("dan", &code("solved", "", 5)),
         ];
@@ -161,10 +197,19 @@ mod tests {
             .iter()
             .map(|of| &*of.results[0].same_code_as)
             .collect();
-        assert_eq!(same, ["bob", "ada", "", WORKBOOK]);
-        assert_eq!(lines[1], "  glass of bob: as that of ada");
+        assert_eq!(same, ["bob, eva", "ada, eva", "ada, bob", "", WORKBOOK]);
+        assert_eq!(lines[1], "  glass of bob: as that of ada, eva");
         assert_eq!(Structure::read("pub fn a() {}"), None);
         let solution = with_code("fn a() { missing!(\"one\", 0, { 1 + 2 }) }").unwrap();
         assert_eq!(solution.replace(' ', ""), "fna(){1+2}");
+    }
+
+    #[test]
+    fn what_the_workbook_gives_is_not_compared() {
+        let long = code("refract", "", 3);
+        let whole = |head: &str| Structure::read(&format!("{head} {{ {long} }}\n"));
+        assert!(whole("fn other() -> u8").is_some());
+        assert_eq!(whole("fn main() -> Result<(), Error>"), None);
+        assert_eq!(whole("testing::examples!"), None);
     }
 }

@@ -73,6 +73,11 @@ pub fn may_be_rust(name: &str) -> bool {
     name.contains(".rs.")
 }
 
+/// Whether `cargo learn program` has brought the file of this path into a program.
+pub fn is_brought(path: &str) -> bool {
+    path == "src/functions.rs" || path.starts_with("src/functions/")
+}
+
 /// Whether this is the name of an archive.
 pub fn is_archive(name: &str) -> bool {
     let extension = Path::new(name).extension().unwrap_or_default();

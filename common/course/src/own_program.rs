@@ -18,7 +18,7 @@ use learn::sheet;
 
 use crate::copies::Structure;
 use crate::grading_folder::GradingFolder;
-use crate::handed_file::{Content, HandedFile, MANIFEST, SHEETS, is_rust};
+use crate::handed_file::{Content, HandedFile, MANIFEST, SHEETS, is_brought, is_rust};
 use crate::program_output::output_of;
 use crate::sandbox::{End, Ended, Limits, Place, empty};
 use manifest::{CRATES, in_grading_folder};
@@ -144,8 +144,7 @@ impl OwnProgram {
     pub fn structures(&self) -> Vec<Structure> {
         let mut structures = Vec::new();
         for (path, bytes) in &self.files {
-            let is_brought = path == "src/functions.rs" || path.starts_with("src/functions/");
-            if is_rust(path) && !is_brought {
+            if is_rust(path) && !is_brought(path) {
                 structures.extend(Structure::read(&String::from_utf8_lossy(bytes)));
             }
         }

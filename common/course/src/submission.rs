@@ -5,7 +5,7 @@ mod tests;
 
 use learn::exercise::Exercise;
 
-use crate::handed_file::{Content, HandedFile, may_be_rust};
+use crate::handed_file::{Content, HandedFile, SHEETS, is_brought, may_be_rust};
 
 /// Folders of the workbook, beside those of the stages, around files that have the names of exercises.
 const OF_WORKBOOK: [&str; 3] = ["book", "common", "exercises"];
@@ -44,23 +44,39 @@ pub enum Found<'a> {
     Unclear(String),
 }
 
-/// The files that a student has handed in, without those of the workbook around them.
+/// The files that a student has handed in, without those of the workbook around them, and those that
+/// `cargo learn program` has brought.
 pub struct Submission<'a> {
     course: &'static [Exercise],
     files: Vec<&'a HandedFile>,
+    /// The folders of programs for sheets.
+    programs: Vec<&'a [String]>,
 }
 
 impl<'a> Submission<'a> {
     pub fn new(files: &'a [HandedFile], course: &'static [Exercise]) -> Self {
         let is_stage = |folder: &str| course.iter().any(|e| e.stage == folder);
+        let is_sheet = |file: &&HandedFile| file.name() == SHEETS;
+        let programs: Vec<_> = files
+            .iter()
+            .filter(is_sheet)
+            .map(HandedFile::folder)
+            .collect();
         let is_own = |file: &&HandedFile| {
+            if in_program(&programs, file).is_some_and(|path| is_brought(&path)) {
+                return false;
+            }
             let mut inner = file.folders().iter();
             let is_around = |folder: &String| OF_WORKBOOK.contains(&&**folder) || is_stage(folder);
             let is_workbooks = |folder: &String| NOT_STUDENTS.contains(&&**folder);
             file.name() != "build.rs" && !(inner.any(is_around) && inner.any(is_workbooks))
         };
         let files = files.iter().filter(is_own).collect();
-        Self { course, files }
+        Self {
+            course,
+            files,
+            programs,
+        }
     }
 
     /// The file of an exercise. Of two that differ nobody knows which one counts.
@@ -95,26 +111,38 @@ impl<'a> Submission<'a> {
     fn without_file(&self) -> Found<'a> {
         let is_exercise = |file: &HandedFile| self.course.iter().any(|e| is_of(file, e));
         let has_exercises = self.files.iter().any(|file| is_exercise(file));
+        let has_others = has_exercises || !self.programs.is_empty();
+        let is_programs = |file: &HandedFile| {
+            let inner = in_program(&self.programs, file);
+            inner.is_some_and(|path| path.starts_with("src/"))
+        };
         let mut others = Vec::new();
         for file in &self.files {
             match &file.content {
                 _ if is_exercise(file) => {}
                 Content::Problem(problem) => others.push(format!("{} ({problem})", file.shown())),
-                _ if has_exercises && !may_be_rust(file.name()) => {}
+                _ if has_others && !may_be_rust(file.name()) => {}
+                _ if is_programs(file) => {}
                 _ => others.push(file.shown()),
             }
         }
-        if others.is_empty() && has_exercises {
+        if others.is_empty() && has_others {
             return Found::Nothing;
         }
         let is_empty = others.is_empty();
         let names = names(others.into_iter());
-        Found::Unclear(match (has_exercises, is_empty) {
+        Found::Unclear(match (has_others, is_empty) {
             (true, _) => format!("not found, unless it is in {names}"),
             (false, true) => "it is empty".to_owned(),
             (false, false) => format!("no file has the name of an exercise; it has {names}"),
         })
     }
+}
+
+/// The path of a file in the program around it.
+fn in_program(programs: &[&[String]], file: &HandedFile) -> Option<String> {
+    let inner = |folder: &&[String]| file.path.strip_prefix(*folder);
+    programs.iter().find_map(inner).map(|path| path.join("/"))
 }
 
 /// Whether a file has the name of an exercise.

@@ -161,6 +161,36 @@ fn files_of_the_workbook_are_no_students() {
 }
 
 #[test]
+fn a_program_for_a_sheet_is_no_trace_of_an_exercise() {
+    let class = folder(&[
+        ("Ada/ada/Cargo.toml", b""),
+        ("Ada/ada/sheet.txt", b"lens"),
+        ("Ada/ada/src/functions.rs", CODE),
+        ("Ada/ada/src/functions/sphere.rs", OTHER),
+        ("Ada/ada/src/lens.rs", CODE),
+        ("Ada/a04-intersections/exercises/sphere.rs", CODE),
+        ("Bob/sheet.txt", b"lens"),
+        ("Bob/src/functions/ray.rs", CODE),
+        ("Bob/src/lens.rs", CODE),
+        ("Cy/sheet.txt", b"lens"),
+        ("Cy/tracer.py", b"print()"),
+        ("Dan/sheet.txt", b"lens"),
+        ("Dan/sphere (1).rs", CODE),
+        ("Eva/src/lens.rs", CODE),
+    ]);
+    assert_eq!(
+        rows(class.path()),
+        [
+            "Ada: -; Ada/a04-intersections/exercises/sphere.rs",
+            "Bob: -",
+            "Cy: -",
+            "Dan: ? not found, unless it is in Dan/sphere (1).rs",
+            "Eva: ? no file has the name of an exercise; it has Eva/src/lens.rs",
+        ],
+    );
+}
+
+#[test]
 fn a_folder_of_the_workbook_is_no_student() {
     let ada = folder(&[(RAY, CODE)]);
     let course = learn::exercise::read_all().unwrap();
