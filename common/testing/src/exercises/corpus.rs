@@ -10,7 +10,7 @@ use super::findings::answer_of;
 pub fn ask_corpus(name: &str, exercise: &Exercise<()>) -> String {
     let cases = match corpus::read(CASES) {
         Ok(cases) => cases,
-        Err(error) => return error.to_string(),
+        Err(error) => return error,
     };
     let (mut asked, mut right, mut first) = (0, 0, String::new());
     for case in cases {
