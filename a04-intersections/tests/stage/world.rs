@@ -18,7 +18,7 @@ fn empty<S>() -> World<S> {
 #[test]
 fn a_world_is_hit_where_the_nearest_of_its_shapes_is() {
     let (mut world, mut hits, mut leaning) = (empty(), 0, 0);
-    for n in 0..3000 {
+    for n in 0..6000 {
         if n % 50 == 0 {
             let shapes = (0..2).flat_map(|_| random_shapes(n.into())).enumerate();
             world = shapes.fold(empty(), |world, (turn, shape)| world.with(shape, turn));
@@ -54,7 +54,7 @@ fn a_world_is_hit_where_the_nearest_of_its_shapes_is() {
     }
     println!("{hits} hits, {leaning} leaning");
     assert!(
-        (500..2500).contains(&hits) && leaning > 5,
+        (1000..5000).contains(&hits) && leaning > 5,
         "{hits} hits, {leaning} leaning"
     );
 }
