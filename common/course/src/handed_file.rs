@@ -3,13 +3,7 @@
 use std::path::Path;
 
 use common::text;
-pub use learn::is_added;
-
-/// The manifest of a program.
-pub const MANIFEST: &str = "Cargo.toml";
-
-/// The file that names the open sheets of a program.
-pub const SHEETS: &str = "sheet.txt";
+pub use learn::{MANIFEST, SHEETS, is_added};
 
 /// Extensions of archives, of which only zip files are opened.
 const ARCHIVES: [&str; 9] = ["7z", "bz2", "gz", "rar", "tar", "tgz", "xz", "zip", "zst"];

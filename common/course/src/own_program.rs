@@ -15,6 +15,7 @@ use ::sheet::Sheet;
 use common::text;
 use learn::files::with_path;
 use learn::sheet;
+use serde_json::Value;
 
 use crate::copies::Structure;
 use crate::grading_folder::GradingFolder;
@@ -167,7 +168,7 @@ impl OwnProgram {
                 *bytes = manifest.map_err(|why| format!("{path}: {why}"))?.into();
             }
         }
-        build(folder, &files, Limits::Build).map(Some)
+        build(folder, files, Limits::Build).map(Some)
     }
 }
 
@@ -180,7 +181,7 @@ pub fn prepare(folder: &GradingFolder) -> Result<(), String> {
         (MANIFEST.to_owned(), in_grading_folder(&manifest, 0)?.into()),
         ("src/main.rs".to_owned(), EMPTY.into()),
     ]);
-    let (built, _) = build(folder, &files, Limits::All)?;
+    let (built, _) = build(folder, files, Limits::All)?;
     match built.end {
         End::Success => Ok(()),
         _ => Err(format!("no program builds\n{}", built.output)),
@@ -202,10 +203,9 @@ fn write(folder: &GradingFolder, files: &BTreeMap<String, Vec<u8>>) -> Result<()
 
 fn build(
     folder: &GradingFolder,
-    files: &BTreeMap<String, Vec<u8>>,
+    mut files: BTreeMap<String, Vec<u8>>,
     limits: Limits,
 ) -> Result<(Ended, String), String> {
-    let mut files = files.clone();
     let lock = folder.sandbox.folder.join("workbook").join(LOCK);
     files.insert(LOCK.to_owned(), fs::read(&lock).map_err(with_path(&lock))?);
     write(folder, &files)?;
@@ -213,8 +213,9 @@ fn build(
     let mut cargo = Command::new("cargo");
     cargo.args(["update", "--workspace", "--offline", "--quiet"]);
     output_of(cargo.current_dir(&root))?;
-    check_packages(&root)?;
-    let name = learn::program_of(&root)?;
+    let metadata = learn::metadata(&root)?;
+    check_packages(&metadata)?;
+    let name = learn::program_of(&metadata)?;
     let words =
         "cargo build --release --offline --quiet --message-format json-render-diagnostics --bin";
     let words = words.split(' ').chain([&*name]);
@@ -224,8 +225,7 @@ fn build(
 
 /// An error if a package of the program runs code while it is compiled, because then it could write into the folder of
 /// all builds.
-fn check_packages(root: &Path) -> Result<(), String> {
-    let metadata = learn::metadata(root)?;
+fn check_packages(metadata: &Value) -> Result<(), String> {
     for package in metadata["packages"].as_array().into_iter().flatten() {
         for target in package["targets"].as_array().into_iter().flatten() {
             for kind in target["kind"].as_array().into_iter().flatten() {

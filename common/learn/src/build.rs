@@ -7,7 +7,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io, thread};
 
-use crate::cargo_messages::{Kind, find_program, program_of};
+use crate::cargo_messages::{Kind, find_program, metadata, program_of};
 use crate::exercise::Exercise;
 use crate::files;
 use crate::output::OutputReader;
@@ -44,7 +44,7 @@ pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, Stri
 
 /// Builds the student's own program, the one that `cargo run` runs.
 pub fn build_own(folder: &Path, space: Space, watcher: Watcher) -> Result<Build, String> {
-    let name = program_of(folder)?;
+    let name = program_of(&metadata(folder)?)?;
     let mut cargo = Command::new("cargo");
     cargo.args(["--quiet", "build", "--release", "--bin", &name]);
     cargo.args(["--message-format", "json-render-diagnostics"]);

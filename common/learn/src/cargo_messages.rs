@@ -34,15 +34,6 @@ pub fn find_program(messages: &str, kind: Kind) -> Result<String, String> {
     Err("cargo has built no program".to_owned())
 }
 
-/// The name of the program that `cargo run` runs in a folder.
-///
-/// # Errors
-///
-/// Fails where Cargo would ask which of several programs it is to run.
-pub fn program_of(folder: &Path) -> Result<String, String> {
-    chosen(&metadata(folder)?)
-}
-
 /// What Cargo knows of the packages in a folder.
 ///
 /// # Errors
@@ -59,8 +50,13 @@ pub fn metadata(folder: &Path) -> Result<Value, String> {
     serde_json::from_slice(&output.stdout).map_err(|error| format!("cargo metadata: {error}"))
 }
 
-/// The program that Cargo chooses among those of the packages that it builds: the one of `default-run`, or the only one.
-fn chosen(metadata: &Value) -> Result<String, String> {
+/// The name of the program that `cargo run` runs, among those of the packages that Cargo builds: the one of `default-run`, or
+/// the only one.
+///
+/// # Errors
+///
+/// Fails where Cargo would ask which of several programs it is to run.
+pub fn program_of(metadata: &Value) -> Result<String, String> {
     let list = |value: &'_ Value| value.as_array().cloned().unwrap_or_default();
     let built = list(&metadata["workspace_default_members"]);
     let (mut chosen, mut names) = (Vec::new(), Vec::new());
@@ -111,8 +107,9 @@ mod tests {
         fs::write(package.join("Cargo.toml"), manifest).unwrap();
         let workspace = "[workspace]\nmembers = [\"my-tracer\"]\nresolver = \"3\"\n";
         fs::write(folder.path().join("Cargo.toml"), workspace).unwrap();
-        let of_package = program_of(&package);
-        assert_eq!(program_of(folder.path()).ok(), of_package.clone().ok());
+        let program_in = |folder: &Path| metadata(folder).and_then(|found| program_of(&found));
+        let of_package = program_in(&package);
+        assert_eq!(program_in(folder.path()).ok(), of_package.clone().ok());
         of_package.unwrap_or_else(|problem| problem)
     }
 

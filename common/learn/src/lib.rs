@@ -44,12 +44,12 @@ pub use cargo_messages::{Kind, find_program, metadata, program_of};
 use exercise::Exercise;
 pub use judgement::lacks;
 use judgement::{ask_corpus, judge};
-pub use own_program::complete_manifest;
+pub use own_program::{MANIFEST, complete_manifest};
 use phase::Phase;
 use progress::Progress;
 pub use refusal::refusal;
 use screen::Screen;
-pub use submit::is_added;
+pub use submit::{SHEETS, is_added};
 
 /// The exercises whose code the corpus of ray failures asks.
 const SHAPES: [&str; 5] = ["plane", "axis_aligned_box", "triangle", "sphere", "disc"];

@@ -28,7 +28,7 @@ const ADDED: [&str; 7] = [
 ];
 
 /// The file that names the open sheets of a program.
-const SHEETS: &str = "sheet.txt";
+pub const SHEETS: &str = "sheet.txt";
 
 const LINK: &str = "is a link; hand in the file itself";
 

@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 use super::{existing, write};
 use crate::files::{self, with_path};
 
+/// The manifest of a program.
 pub const MANIFEST: &str = "Cargo.toml";
 const LOCK: &str = "Cargo.lock";
 
