@@ -10,8 +10,8 @@ use std::process::Command;
 use std::sync::LazyLock;
 
 use common::row;
+use judge::pictures::{Facts, Judgement, NAMES, Sheet};
 use learn::sheet::OwnProgram;
-use sheet::{Facts, Judgement, NAMES, Sheet};
 
 /// The folder of the answers.
 const ANSWERS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/sheets");
@@ -145,7 +145,7 @@ fn has_measured(report: &str, measured: &str) -> bool {
 }
 
 fn answers_are_told_apart(name: &str, answers: &[&str], seeds: u32) {
-    let text = fs::read_to_string(format!("{WORKBOOK}/common/sheet/sheets/{name}.toml")).unwrap();
+    let text = fs::read_to_string(format!("{WORKBOOK}/common/judge/sheets/{name}.toml")).unwrap();
     let sheet = &Sheet::read(name, &text).unwrap();
     let mut problems = Vec::new();
     for answer in answers {

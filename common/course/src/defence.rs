@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use ::sheet::Sheet;
 use common::row::{self, Row};
+use judge::pictures::Sheet;
 use learn::files;
 use learn::sheet::{find, read_all};
 

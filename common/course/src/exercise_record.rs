@@ -1,6 +1,6 @@
 //! The recorded answers of an exercise.
 
-use exercise::Record;
+use judge::answers::Record;
 use learn::exercise::Exercise;
 use learn::files;
 

@@ -2,17 +2,17 @@
 
 use std::path::PathBuf;
 
-use ::sheet::Sheet;
 use common::text;
+use judge::pictures::Sheet;
 use learn::exercise::{self, Exercise};
 use learn::files;
 
 use crate::collected::Collected;
 use crate::copies::{self, Structure, WorkbooksCode, with_code};
+use crate::exercise_grading::outcomes;
 use crate::exercises;
 use crate::grading_folder::GradingFolder;
 use crate::handed_file::HandedFile;
-use crate::judge::judge;
 use crate::outcome::{Graded, Judged, Outcome, State};
 use crate::own_program;
 use crate::results;
@@ -168,7 +168,7 @@ impl Grade {
                 }
                 found.push((exercise, file));
             }
-            let mut judged = judge(folder, &files);
+            let mut judged = outcomes(folder, &files);
             for (e, found) in found {
                 let (mut file, mut structures) = (String::new(), Vec::new());
                 let outcome = match (found, judged.remove(e.name)) {

@@ -52,7 +52,7 @@ const BUILT: [&str; 11] = [
 const BOOK: &str = "book/src/";
 
 /// The open sheets, which follow the last stage.
-const SHEETS: &str = "common/sheet/sheets/";
+const SHEETS: &str = "common/judge/sheets/";
 
 /// Writes a workbook for students
 #[derive(clap::Args, Default)]

@@ -4,13 +4,13 @@
 mod collected;
 mod copies;
 mod defence;
+mod exercise_grading;
 mod exercise_record;
 mod grade;
 mod grading_folder;
 mod hand_in;
 mod handed_file;
 mod handout;
-mod judge;
 mod mistake;
 mod outcome;
 mod own_program;

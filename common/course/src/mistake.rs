@@ -5,13 +5,13 @@ use std::fs;
 use std::path::PathBuf;
 
 use common::text;
-use exercise::{MODE, Mode, Record, StudentAnswer, read_answers, read_rows, verdict};
+use judge::answers::{MODE, Mode, Record, StudentAnswer, read_answers, read_rows, verdict};
 use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
 
+use crate::exercise_grading::run;
 use crate::exercise_record::{record, record_file};
 use crate::grading_folder::GradingFolder;
-use crate::judge::run;
 use crate::sandbox::End;
 use crate::submission::StudentFile;
 
@@ -56,9 +56,9 @@ impl Mistake {
         let (given, _) = read_answers(&output);
         self.check_is_unknown(&record, &given, fact)?;
 
-        let mistake = exercise::Mistake::new(fact, &record.rows, &read_rows(&output));
+        let mistake = judge::answers::Mistake::new(fact, &record.rows, &read_rows(&output));
         let count = mistake.wrong_rows();
-        let has_same_answers = |known: &exercise::Mistake| {
+        let has_same_answers = |known: &judge::answers::Mistake| {
             let alone = Record {
                 rows: record.rows.clone(),
                 mistakes: vec![known.clone()],

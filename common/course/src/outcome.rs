@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use exercise::StudentAnswer;
+use judge::answers::StudentAnswer;
 
 use crate::copies::Structure;
 

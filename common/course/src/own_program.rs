@@ -11,8 +11,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use ::sheet::Sheet;
 use common::text;
+use judge::pictures::Sheet;
 use learn::files::with_path;
 use learn::sheet;
 use serde_json::Value;

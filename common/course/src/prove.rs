@@ -10,7 +10,9 @@ use std::{env, fs};
 
 use common::difference::{compare_with_file, largest, leave_pictures};
 use common::picture_file;
-use exercise::{BEGUN, MODE, Mode, Record, StudentAnswer, WORDS_MARK, read_answers, read_rows};
+use judge::answers::{
+    BEGUN, MODE, Mode, Record, StudentAnswer, WORDS_MARK, read_answers, read_rows,
+};
 use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
 

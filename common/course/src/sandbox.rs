@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
 
-use exercise::BEGUN;
+use judge::answers::{BEGUN, MARK};
 use learn::files::{self, with_path};
 
 /// The limits, and how they are set.
@@ -129,10 +129,7 @@ impl Sandbox {
             End::Begun => "begun".to_owned(),
             End::Limit(limit) => format!("stopped by the limit of {}", limit.words()),
         };
-        let (said, _) = ended
-            .output
-            .split_once(exercise::MARK)
-            .unwrap_or((&ended.output, ""));
+        let (said, _) = ended.output.split_once(MARK).unwrap_or((&ended.output, ""));
         for line in self.without_place(said).lines() {
             if !line.is_empty() && !line.starts_with('{') {
                 words += "\n";
@@ -210,7 +207,7 @@ mod tests {
              {workspace}/book/src/a.md\n\
              {}the answers",
             folder.display(),
-            exercise::MARK,
+            MARK,
         );
         let ended = Ended {
             end: end(Some(1)),

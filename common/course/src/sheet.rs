@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
-use ::sheet::{Drawn, Facts, MARKED, Picture, Run, Sheet, last_words, no_picture};
+use judge::pictures::{Drawn, Facts, MARKED, Picture, Run, Sheet, last_words, no_picture};
 use learn::files::{self, with_path};
 use learn::sheet::{find, read_all};
 
@@ -148,7 +148,7 @@ fn judge_program(
     // By scene and samples.
     let mut pictures = BTreeMap::new();
     let mut fault = None;
-    let judgement = ::sheet::judge(sheet, Facts::All, &mut |picture, run| {
+    let judgement = judge::pictures::judge(sheet, Facts::All, &mut |picture, run| {
         let drawn = draw(sandbox, &command, picture, run, kept).map_err(|problem| {
             let (Problem::OfProgram(words) | Problem::OfGrader(words)) = &problem;
             let words = words.clone();

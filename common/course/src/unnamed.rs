@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use std::fs;
 
 use common::fnv1a;
-use exercise::{Mistake, Record, StudentAnswer, verdict};
+use judge::answers::{Mistake, Record, StudentAnswer, verdict};
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 

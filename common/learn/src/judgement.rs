@@ -5,8 +5,8 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, io};
 
-use ::exercise::{MODE, Mode, SECONDS};
 use common::text;
+use judge::answers::{MODE, Mode, SECONDS};
 
 use crate::build::{Build, build};
 use crate::exercise::Exercise;

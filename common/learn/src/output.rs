@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use ::exercise::WORDS_MARK;
+use judge::answers::WORDS_MARK;
 
 /// The most bytes of a program that are kept.
 const MAX_KEPT_BYTES: usize = 1 << 20;

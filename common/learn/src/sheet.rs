@@ -5,9 +5,9 @@ mod own_program;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ::sheet::{Facts, Judgement, NAMES, Sheet, judge};
 use clap::ArgGroup;
 use common::text;
+use judge::pictures::{Facts, Judgement, NAMES, Sheet, judge};
 
 use crate::build::{Build, build_own};
 use crate::files::{self, with_path};
@@ -17,7 +17,7 @@ use crate::{print, told};
 pub use own_program::OwnProgram;
 
 /// The folder of the sheets.
-const SHEETS: &str = "common/sheet/sheets";
+const SHEETS: &str = "common/judge/sheets";
 
 const NONE: &str = "this workbook has no sheets; they follow the last stage";
 

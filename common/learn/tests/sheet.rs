@@ -138,7 +138,7 @@ fn learn(arguments: &[&str], mistake: &str) -> (String, bool) {
 #[test]
 fn each_program_gets_a_sentence() {
     let _ = fs::remove_dir_all(FOLDER);
-    write("common/sheet/sheets/glass.toml", SHEET);
+    write("common/judge/sheets/glass.toml", SHEET);
     write("a01/exercises/exercises.toml", LIST);
     write("mine/src/main.rs", PROGRAM);
 

@@ -17,11 +17,12 @@ mod missing;
 mod student;
 
 pub use self::exercise::{Exercise, Form, Picture};
-pub use ::exercise::{Answer, Input, assert_close, input};
 pub use common::ArgumentError;
 pub use folder::StageFolder;
 #[cfg(target_family = "wasm")]
 pub use in_browser::judge;
+pub use judge::answers::{Answer, Input};
+pub use judge::{assert_close, input};
 pub use missing::missing;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use missing::{Missing, take_missing};

@@ -10,7 +10,7 @@ use crate::files::with_path;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::{limited, run};
-use ::sheet::{Drawn, MARKED, Picture, Run, last_words, no_picture};
+use judge::pictures::{Drawn, MARKED, Picture, Run, last_words, no_picture};
 
 /// The student's program.
 pub struct OwnProgram {

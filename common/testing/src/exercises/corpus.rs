@@ -89,7 +89,7 @@ fn in_words(case: &Case, found: Option<f64>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use exercise::Answer;
+    use judge::answers::Answer;
 
     use super::*;
     use crate::exercises::Form;

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use common::{Error, Image, Settings, Size};
-use exercise::{Answer, Input, Question, QuestionLine, Record};
+use judge::answers::{Answer, Input, Question, QuestionLine, Record};
 
 /// The answer of code of the type `C` to a question with other numbers.
 pub type AnswerTo<C> = Box<dyn Fn(&C, &[f64]) -> Answer>;

@@ -8,7 +8,7 @@ use common::difference::{
 };
 use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
-use exercise::{Answer, Painted, Record, Row, StudentAnswer, Verdict, verdict};
+use judge::answers::{Answer, Painted, Record, Row, StudentAnswer, Verdict, verdict};
 
 use super::exercise::{AnswerTo, Exercise, Picture, own_settings};
 use super::folder::StageFolder;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use common::{Error, Image, Scene, Settings, Stage, Transfer, picture_file};
-use exercise::Record;
+use judge::answers::Record;
 
 use super::exercise::Exercise;
 

@@ -6,7 +6,7 @@ use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::{BEGUN, MARK, Mode, Record, SECONDS, WORDS_MARK, print_answers};
+use judge::answers::{BEGUN, MARK, Mode, Record, SECONDS, WORDS_MARK, print_answers};
 
 use super::corpus::ask_corpus;
 use super::exercise::{Exercise, Picture};

@@ -1,0 +1,24 @@
+//! The pictures of an open sheet, judged by facts that follow from theory.
+//!
+//! A sheet is a file such as `sheets/glass.toml`: the pictures that the student's program draws, and the facts
+//! that they are asked, each with its formula, value and tolerance. This module reads the sheets, asks the facts
+//! and says what is wrong.
+
+mod fact;
+mod judgement;
+mod last_words;
+mod line;
+mod marked;
+mod measure;
+mod report;
+mod sheet;
+mod slope;
+
+pub use fact::Fact;
+pub use judgement::{Drawn, Facts, Judgement, State, judge};
+pub use last_words::{last_words, no_picture};
+pub use marked::MARKED;
+pub use sheet::{Picture, Run, Sheet};
+
+/// The names of the sheets, in the order in which they are set.
+pub const NAMES: [&str; 6] = ["tree", "patterns", "glass", "lamp", "lens", "light"];

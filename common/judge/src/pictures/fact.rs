@@ -1,0 +1,59 @@
+//! `Fact`: what a picture must show, as a row of a sheet: words, what is measured where, and the value that
+//! follows from theory.
+
+mod read;
+
+use crate::pictures::measure::{Channel, Exact, Measure};
+use crate::pictures::sheet::Run;
+
+/// What a picture must show.
+#[derive(Debug)]
+pub struct Fact {
+    /// One word.
+    pub name: String,
+    /// The fact in words.
+    pub says: String,
+    /// The picture, whose copy is marked: of several the last.
+    pub(crate) run: Run,
+    pub(crate) channel: Option<Channel>,
+    pub(crate) measure: Measure,
+    /// The right value.
+    pub value: f64,
+    /// The formula of the right value.
+    pub formula: String,
+    pub(crate) within: f64,
+    /// Whether lower values are right, too.
+    pub(crate) or_less: bool,
+    /// Why this tolerance.
+    pub(crate) because: String,
+    pub(crate) hint: String,
+}
+
+impl Fact {
+    /// Whether this value is right.
+    pub(crate) fn is_right(&self, value: f64) -> bool {
+        let above = value - self.value;
+        above <= self.within && (self.or_less || -above <= self.within)
+    }
+
+    /// The runs that the fact needs, in the order in which their pictures are drawn.
+    pub(crate) fn runs(&self) -> Vec<&Run> {
+        let mut runs = match &self.measure {
+            Measure::Growth { runs, .. } | Measure::Slope { runs, .. } => runs.iter().collect(),
+            _ => vec![&self.run],
+        };
+        match &self.measure {
+            Measure::Same(other)
+            | Measure::Spread {
+                exact: Exact::Run(other),
+                ..
+            }
+            | Measure::Slope {
+                exact: Exact::Run(other),
+                ..
+            } => runs.push(other),
+            _ => {}
+        }
+        runs
+    }
+}

@@ -1,0 +1,259 @@
+//! Reads the row of a fact: all pictures that it names are there, and all places are inside of them.
+
+use common::Size;
+use common::row::{DeValue, Row, Value};
+
+use super::Fact;
+use crate::pictures::line::Line;
+use crate::pictures::measure::{Channel, Exact, Measure, Region};
+use crate::pictures::sheet::{Picture, Run, Sheet};
+use crate::pictures::slope::Axis;
+
+impl Fact {
+    pub(crate) fn read(row: &Row, sheet: &Sheet) -> Result<Self, String> {
+        let name: String = row.get("name")?;
+        if name.contains(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_') {
+            return Err(row.error("name", "must be one word"));
+        }
+        let run = run(row, sheet)?;
+        let size = picture(row, "scene", sheet, &run.scene)?.size;
+        let fact = Self {
+            measure: measure(row, sheet, size)?,
+            name,
+            run,
+            says: row.get("says")?,
+            channel: row.find("channel")?,
+            value: row.get("value")?,
+            formula: row.get("formula")?,
+            within: row.get("within")?,
+            or_less: row.find("or_less")?.unwrap_or_default(),
+            because: row.get("because")?,
+            hint: row.get("hint")?,
+        };
+        for (key, number) in [("value", fact.value), ("within", fact.within)] {
+            if !number.is_finite() {
+                return Err(row.error(key, "must be a finite number"));
+            }
+        }
+        row.end()?;
+        Ok(fact)
+    }
+}
+
+/// The picture of a scene that a key names.
+fn picture<'a>(row: &Row, key: &str, sheet: &'a Sheet, scene: &str) -> Result<&'a Picture, String> {
+    let unknown = || row.error(key, &format!("names no scene of a picture: {scene}"));
+    sheet.picture(scene).ok_or_else(unknown)
+}
+
+/// The run of a number of samples.
+fn run_of(row: &Row, picture: &Picture, samples: u32) -> Result<Run, String> {
+    if picture.samples.contains(&samples) {
+        Ok(picture.run(samples))
+    } else {
+        let scene = &picture.scene;
+        Err(row.error("samples", &format!("has {samples}, which {scene} has not")))
+    }
+}
+
+/// The run of the picture that the fact is about.
+fn run(row: &Row, sheet: &Sheet) -> Result<Run, String> {
+    let measure: String = row.get("measure")?;
+    if let "growth" | "slope" = &*measure {
+        let mut runs = runs(row, sheet)?;
+        return runs.pop().ok_or_else(|| row.error("samples", "is empty"));
+    }
+    let scene: String = row.get("scene")?;
+    let picture = picture(row, "scene", sheet, &scene)?;
+    match row.find("samples")? {
+        Some(samples) => run_of(row, picture, samples),
+        None => Ok(picture.last()),
+    }
+}
+
+/// The runs of several scenes, or those of one with more and more samples.
+fn runs(row: &Row, sheet: &Sheet) -> Result<Vec<Run>, String> {
+    let scenes: Option<Vec<String>> = row.find("scenes")?;
+    let mut runs = Vec::new();
+    if let Some(scenes) = &scenes {
+        for scene in scenes {
+            runs.push(picture(row, "scenes", sheet, scene)?.last());
+        }
+    } else {
+        let scene: String = row.get("scene")?;
+        let picture = picture(row, "scene", sheet, &scene)?;
+        for samples in row.get::<Vec<u32>>("samples")? {
+            runs.push(run_of(row, picture, samples)?);
+        }
+    }
+    if runs.len() < 3 || !runs.is_sorted_by(|a, b| a.scene != b.scene || a.samples < b.samples) {
+        let key = if scenes.is_some() {
+            "scenes"
+        } else {
+            "samples"
+        };
+        return Err(row.error(key, "must be three or more, and samples must ascend"));
+    }
+    Ok(runs)
+}
+
+/// What is measured in a picture of this size.
+fn measure(row: &Row, sheet: &Sheet, size: Size) -> Result<Measure, String> {
+    let measure: String = row.get("measure")?;
+    Ok(match &*measure {
+        "mean" => Measure::Mean(region(row, size)?),
+        "greatest" => Measure::Greatest(region(row, size)?),
+        "least" => Measure::Least(region(row, size)?),
+        "alike" => {
+            let region = region(row, size)?;
+            if region.height < 2 {
+                return Err(row.error("region", "must have two rows or more"));
+            }
+            Measure::Alike(region)
+        }
+        "edge" => Measure::Edge(line(row, size)?),
+        "width" => Measure::Width(line(row, size)?),
+        "spread" => {
+            let region = region(row, size)?;
+            Measure::Spread {
+                region,
+                exact: exact(row, sheet, size, region)?,
+            }
+        }
+        "same" => Measure::Same(same_size(
+            row,
+            "as",
+            sheet,
+            &row.get::<String>("as")?,
+            size,
+        )?),
+        "growth" => {
+            let runs = runs(row, sheet)?;
+            for run in &runs {
+                same_size(row, "scenes", sheet, &run.scene, size)?;
+            }
+            Measure::Growth {
+                region: region(row, size)?,
+                runs,
+            }
+        }
+        "slope" => {
+            let region = region(row, size)?;
+            Measure::Slope {
+                region,
+                exact: exact(row, sheet, size, region)?,
+                axis: row.find("axis")?.unwrap_or_default(),
+                runs: runs(row, sheet)?,
+            }
+        }
+        other => {
+            let known = Measure::NAMES.join(", ");
+            return Err(row.error("measure", &format!("is {other}; it must be one of {known}")));
+        }
+    })
+}
+
+/// The last run of another scene, whose picture is compared pixel by pixel.
+fn same_size(
+    row: &Row,
+    key: &'static str,
+    sheet: &Sheet,
+    scene: &str,
+    size: Size,
+) -> Result<Run, String> {
+    let other = picture(row, key, sheet, scene)?;
+    if other.size == size {
+        Ok(other.last())
+    } else {
+        let problem = format!("names {scene}, a picture of another size");
+        Err(row.error(key, &problem))
+    }
+}
+
+fn exact(row: &Row, sheet: &Sheet, size: Size, region: Region) -> Result<Exact, String> {
+    let scene: Option<String> = row.find("exact_scene")?;
+    if let Some(scene) = scene {
+        return Ok(Exact::Run(same_size(
+            row,
+            "exact_scene",
+            sheet,
+            &scene,
+            size,
+        )?));
+    }
+    let exact = row.get("exact")?;
+    match &exact {
+        Exact::Columns(columns) if columns.len() != region.width as usize => {
+            Err(row.error("exact", "must have a number for each column of the region"))
+        }
+        _ => Ok(exact),
+    }
+}
+
+fn region(row: &Row, size: Size) -> Result<Region, String> {
+    let [x, y, width, height] = row.get("region")?;
+    let region = Region {
+        x,
+        y,
+        width,
+        height,
+    };
+    if region.is_inside(size) {
+        Ok(region)
+    } else {
+        let problem = format!("must be x, y, width and height within {size}");
+        Err(row.error("region", &problem))
+    }
+}
+
+fn line(row: &Row, size: Size) -> Result<Line, String> {
+    let line = Line {
+        from: row.get("from")?,
+        to: row.get("to")?,
+        lines: row.find("lines")?.unwrap_or(1),
+    };
+    if line.is_inside(size) {
+        Ok(line)
+    } else {
+        let problem = format!(
+            "must be another point than `from`, and all parallel `lines`, an odd number, within {size}"
+        );
+        Err(row.error("to", &problem))
+    }
+}
+
+impl Value for Channel {
+    fn form() -> String {
+        "\"red\", \"green\" or \"blue\"".to_owned()
+    }
+
+    fn read(value: &DeValue) -> Option<Self> {
+        match value.as_str()? {
+            "red" => Some(Self::Red),
+            "green" => Some(Self::Green),
+            "blue" => Some(Self::Blue),
+            _ => None,
+        }
+    }
+}
+
+impl Value for Exact {
+    fn form() -> String {
+        "a number, or a list of one for each column of the region".to_owned()
+    }
+
+    fn read(value: &DeValue) -> Option<Self> {
+        let number = f64::read(value).map(Self::Number);
+        number.or_else(|| Vec::read(value).map(Self::Columns))
+    }
+}
+
+impl Value for Axis {
+    fn form() -> String {
+        "\"linear\", or missing for the logarithm of the samples".to_owned()
+    }
+
+    fn read(value: &DeValue) -> Option<Self> {
+        (value.as_str()? == "linear").then_some(Self::Linear)
+    }
+}

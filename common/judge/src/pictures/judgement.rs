@@ -1,0 +1,267 @@
+//! `judge`: asks the pictures of a program the facts of a sheet, one after the other.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use common::{Image, picture_file, text};
+
+use crate::pictures::fact::Fact;
+use crate::pictures::measure::{Exact, Measure, Region, Values, different, growth};
+use crate::pictures::sheet::{Picture, Run, Sheet};
+use crate::pictures::slope::{Point, Slope};
+
+/// A picture that the program has written.
+#[derive(Debug)]
+pub struct Drawn {
+    /// Its file.
+    pub file: PathBuf,
+    /// The time of the run.
+    pub seconds: f64,
+}
+
+/// Which facts are asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Facts {
+    /// All, for a mark.
+    All,
+    /// Those up to the first that fails, so that the answer comes soon.
+    UntilOneFails,
+}
+
+/// What a picture says about a fact.
+#[derive(Debug)]
+pub enum State {
+    /// The right value.
+    Right(Answer),
+    /// Another value.
+    Wrong(Answer),
+    /// Nothing could be measured; the sentence says why.
+    NoAnswer(String),
+    /// An earlier fact has failed.
+    NotAsked,
+}
+
+/// What is measured.
+#[derive(Debug, Default)]
+pub struct Answer {
+    pub(crate) value: f64,
+    /// Where pixels differ.
+    pub(crate) different: Option<Region>,
+    /// The errors behind a slope.
+    pub(crate) points: Vec<Point>,
+    pub(crate) slope: Option<Slope>,
+}
+
+/// A picture that is opened.
+#[derive(Debug)]
+pub(crate) struct Opened {
+    pub drawn: Drawn,
+    pub image: Image,
+}
+
+/// The pictures by their runs, or why there is none.
+type Pictures = BTreeMap<Run, Result<Opened, String>>;
+
+/// The facts of a sheet, and what the pictures say about them.
+#[derive(Debug)]
+pub struct Judgement<'a> {
+    /// The sheet.
+    pub sheet: &'a Sheet,
+    /// A state for each fact.
+    pub states: Vec<State>,
+    pub(crate) pictures: Pictures,
+}
+
+/// Asks the facts. `draw` runs the program and says where its picture is; its error is a sentence about the
+/// program.
+pub fn judge<'a>(
+    sheet: &'a Sheet,
+    facts: Facts,
+    draw: &mut dyn FnMut(&Picture, &Run) -> Result<Drawn, String>,
+) -> Judgement<'a> {
+    let mut judgement = Judgement {
+        sheet,
+        states: Vec::new(),
+        pictures: Pictures::new(),
+    };
+    for fact in &sheet.facts {
+        let state = if facts == Facts::UntilOneFails && judgement.first_failure().is_some() {
+            State::NotAsked
+        } else {
+            judgement.draw(fact, draw);
+            judgement.ask(fact)
+        };
+        judgement.states.push(state);
+    }
+    judgement
+}
+
+impl Judgement<'_> {
+    /// The number of facts that hold. They count only if pictures of one colour would not fulfil them all.
+    #[must_use]
+    pub fn passed(&self) -> usize {
+        let mut right = Vec::new();
+        for (fact, state) in self.sheet.facts.iter().zip(&self.states) {
+            if let State::Right(_) = state {
+                right.push(fact);
+            }
+        }
+        if right.iter().any(|fact| fact.measure.needs_two_colors()) {
+            right.len()
+        } else {
+            0
+        }
+    }
+
+    /// The first fact that does not hold.
+    #[must_use]
+    pub fn first_failure(&self) -> Option<&Fact> {
+        let failed = |state: &State| matches!(state, State::Wrong(_) | State::NoAnswer(_));
+        let place = self.states.iter().position(failed)?;
+        self.sheet.facts.get(place)
+    }
+
+    /// How far that fact's value is from the right one, in tolerances; infinitely far where nothing could be measured.
+    #[must_use]
+    pub fn tolerances_off(&self) -> f64 {
+        let Some(fact) = self.first_failure() else {
+            return 0.0;
+        };
+        match self.state(fact) {
+            State::Wrong(answer) => (answer.value - fact.value).abs() / fact.within,
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// The files of all pictures, in the order of their names.
+    #[must_use]
+    pub fn files(&self) -> Vec<&PathBuf> {
+        let opened = self.pictures.values().flatten();
+        opened.map(|opened| &opened.drawn.file).collect()
+    }
+
+    /// Draws the pictures of a fact that are not there yet. A scene of which one run has failed is not run again.
+    fn draw(&mut self, fact: &Fact, draw: &mut dyn FnMut(&Picture, &Run) -> Result<Drawn, String>) {
+        for run in fact.runs() {
+            let is_same = |other: &&Run| other.scene == run.scene;
+            let failed = |other: &Run| self.pictures[other].is_err();
+            let has_failed = self.pictures.keys().filter(is_same).any(failed);
+            if self.pictures.contains_key(run) || has_failed {
+                continue;
+            }
+            let Some(picture) = self.sheet.picture(&run.scene) else {
+                continue;
+            };
+            let opened = draw(picture, run).and_then(|drawn| open(picture, drawn));
+            let is_lost = opened.is_err();
+            self.pictures.insert(run.clone(), opened);
+            if is_lost {
+                return;
+            }
+        }
+    }
+
+    /// The picture of a run. An error is the sentence about the run of its scene that has failed.
+    pub(crate) fn opened(&self, run: &Run) -> Result<&Opened, String> {
+        if let Some(Ok(opened)) = self.pictures.get(run) {
+            return Ok(opened);
+        }
+        for (other, opened) in &self.pictures {
+            if let Err(problem) = opened
+                && other.scene == run.scene
+            {
+                return Err(format!("{}: {problem}", other.words()));
+            }
+        }
+        Err(format!("{}: it is not drawn", run.words()))
+    }
+
+    /// Asks a fact whose pictures are drawn.
+    fn ask(&self, fact: &Fact) -> State {
+        match self.measure(fact) {
+            Ok(answer) if fact.is_right(answer.value) => State::Right(answer),
+            Ok(answer) => State::Wrong(answer),
+            Err(problem) => State::NoAnswer(problem),
+        }
+    }
+
+    /// The values of a run's picture that a fact is about.
+    fn values(&self, fact: &Fact, run: &Run) -> Result<Values<'_>, String> {
+        Ok(Values {
+            image: &self.opened(run)?.image,
+            channel: fact.channel,
+        })
+    }
+
+    fn measure(&self, fact: &Fact) -> Result<Answer, String> {
+        // The first picture that is missing is the reason, whichever picture is measured first.
+        for run in fact.runs() {
+            self.opened(run)?;
+        }
+        let values = |run: &Run| self.values(fact, run);
+        let spread = |run: &Run, region: Region, exact: &Exact| {
+            let values = values(run)?;
+            Ok::<_, String>(match exact {
+                Exact::Number(number) => values.spread(region, |_| *number),
+                Exact::Columns(columns) => {
+                    values.spread(region, |(x, _)| columns[(x - region.x) as usize])
+                }
+                Exact::Run(other) => {
+                    let other = self.values(fact, other)?;
+                    values.spread(region, |pixel| other.at(pixel))
+                }
+            })
+        };
+        let mut answer = Answer::default();
+        let of_fact = values(&fact.run)?;
+        answer.value = match &fact.measure {
+            Measure::Mean(region) => of_fact.mean(*region),
+            Measure::Greatest(region) => of_fact.greatest(*region),
+            Measure::Least(region) => of_fact.least(*region),
+            Measure::Alike(region) => of_fact.alike(*region),
+            Measure::Edge(line) => line.edge(&of_fact)?,
+            Measure::Width(line) => line.width(&of_fact)?,
+            Measure::Spread { region, exact } => spread(&fact.run, *region, exact)?,
+            Measure::Same(other) => {
+                let (count, around) = different(of_fact.image, &self.opened(other)?.image);
+                answer.different = around;
+                count as f64
+            }
+            Measure::Growth { region, runs } => {
+                let mean = |run| Ok(values(run)?.mean(*region));
+                growth(&runs.iter().map(mean).collect::<Result<Vec<_>, String>>()?)
+            }
+            Measure::Slope {
+                region,
+                exact,
+                axis,
+                runs,
+            } => {
+                for run in runs {
+                    answer.points.push(Point {
+                        samples: run.samples,
+                        seconds: self.opened(run)?.drawn.seconds,
+                        error: spread(run, *region, exact)?,
+                    });
+                }
+                let slope = Slope::through(&answer.points, *axis)?;
+                answer.slope = Some(slope);
+                slope.slope
+            }
+        };
+        Ok(answer)
+    }
+}
+
+/// Opens a picture, which must have the size that the sheet says.
+fn open(picture: &Picture, drawn: Drawn) -> Result<Opened, String> {
+    let image = picture_file::open(&drawn.file).map_err(|error| error.to_string())?;
+    if image.size() != picture.size {
+        let file = text::path(&drawn.file);
+        let (size, right) = (image.size(), picture.size);
+        return Err(format!(
+            "the picture has {size} pixels, and the sheet says {right}: {file}"
+        ));
+    }
+    Ok(Opened { drawn, image })
+}
