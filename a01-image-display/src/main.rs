@@ -4,9 +4,5 @@
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
-    command_line::run(
-        &a01_image_display::stage(),
-        a01_image_display::viewer(),
-        command_line::no_rays,
-    )
+    command_line::run(&a01_image_display::stage(), a01_image_display::viewer())
 }

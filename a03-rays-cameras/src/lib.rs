@@ -18,8 +18,6 @@ pub mod scenes;
 mod striped_sky;
 mod view;
 
-#[cfg(not(target_family = "wasm"))]
-pub use crate::adapter::inspector::inspector;
 pub use crate::adapter::registry;
 pub use crate::adapter::stage;
 pub use crate::adapter::traced_world::TracedWorld;

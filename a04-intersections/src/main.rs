@@ -4,9 +4,5 @@
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
-    command_line::run(
-        &a04_intersections::stage(),
-        a01_image_display::viewer(),
-        a03_rays_cameras::inspector,
-    )
+    command_line::run(&a04_intersections::stage(), a01_image_display::viewer())
 }

@@ -7,6 +7,5 @@ fn main() -> std::process::ExitCode {
     command_line::run(
         &a06_shadows_reflection::stage(),
         a01_image_display::viewer(),
-        a03_rays_cameras::inspector,
     )
 }

@@ -13,11 +13,7 @@ use a07_transforms::{Node, Transform, traced};
 use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size, Stage, Transfer};
 
 fn main() -> ExitCode {
-    command_line::run(
-        &stage(),
-        a01_image_display::viewer(),
-        a03_rays_cameras::inspector,
-    )
+    command_line::run(&stage(), a01_image_display::viewer())
 }
 
 /// The picture as a stage, so that its program can show and its test lock it. The engine

@@ -1,10 +1,9 @@
 //! `Scene`: a picture of a stage, painted by a function or traced through a camera and a world.
 
-use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::{Color, Error, Image, PixelTrace, Progress, SceneNumber, Settings};
+use crate::{Error, Image, Progress, Settings, Traced};
 
 /// A function that paints a picture with these settings.
 pub type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
@@ -30,41 +29,6 @@ pub enum Picture {
     Painted(Arc<Paint>),
     /// By rays through a camera and a world.
     Traced(Arc<dyn Traced>),
-}
-
-/// A scene of a camera and a world. It is a trait because this crate knows neither: stage 3
-/// implements it for the scenes of all stages.
-pub trait Traced: Any + Send + Sync {
-    /// The picture, by the renderer of the settings.
-    fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error>;
-
-    /// The linear colour of a pixel by the lesson: the mean of its samples.
-    fn color(&self, settings: &Settings, pixel: [u32; 2]) -> Result<Color, Error>;
-
-    /// The numbers behind a pixel, whose column and row lie in the picture, by the renderer of
-    /// the settings. The engine has only those of the samples.
-    fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error>;
-
-    /// The numbers of the scene file in the order of its text, with colours in bytes as pictures with
-    /// the transfer of the settings have them; none if it is no scene of a file.
-    fn numbers(&self, settings: &Settings) -> Option<Vec<SceneNumber>>;
-
-    /// The same scene with another value of a number of its file; none if it is not allowed.
-    fn with(
-        &self,
-        settings: &Settings,
-        number: &SceneNumber,
-        value: f64,
-    ) -> Option<Box<dyn Traced>>;
-
-    /// By how much a number is moved so that the things in a pixel move by about its width; without
-    /// a pixel, those of the picture. A colour or a factor moves by a fraction of itself.
-    fn pixel_step(
-        &self,
-        settings: &Settings,
-        number: &SceneNumber,
-        pixel: Option<[u32; 2]>,
-    ) -> Result<f64, Error>;
 }
 
 /// A picture of a stage, under the name that the course gives it. A copy shares the code.

@@ -5,14 +5,12 @@
 
 use common::{Omissions, Renderer, Settings, steps};
 
-#[cfg(not(target_family = "wasm"))]
 mod black_picture;
 mod drawing;
 mod footprint;
 pub mod instrumented;
 pub mod orbit_camera;
 pub mod pixel_trace;
-#[cfg(not(target_family = "wasm"))]
 mod seen_rays;
 
 /// The task of the wrappers around the parts of a view.

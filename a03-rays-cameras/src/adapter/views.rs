@@ -3,8 +3,8 @@
 use std::any::Any;
 
 use common::{
-    ArgumentError, Color, Edits, Error, Image, PixelTrace, Progress, Scene, SceneNumber, Settings,
-    Size, Traced,
+    ArgumentError, Edits, Error, Image, PixelTrace, Progress, Scene, SeenLine, Settings, Size,
+    Traced,
 };
 
 use super::registry::NumberedFile;
@@ -53,55 +53,34 @@ impl Traced for Views {
         self.view(settings)?.render(settings, progress)
     }
 
-    fn color(&self, settings: &Settings, pixel: [u32; 2]) -> Result<Color, Error> {
-        Ok(self.view(settings)?.color(settings, pixel))
-    }
-
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
         Ok(self.view(settings)?.trace(settings, pixel))
     }
 
-    fn numbers(&self, settings: &Settings) -> Option<Vec<SceneNumber>> {
-        match self {
-            Self::Code(_) => None,
-            Self::File(file) => Some(file.numbers(settings)),
-        }
-    }
-
-    fn with(
+    fn drawing(
         &self,
         settings: &Settings,
-        number: &SceneNumber,
-        value: f64,
-    ) -> Option<Box<dyn Traced>> {
-        match self {
-            Self::Code(_) => None,
-            Self::File(file) => {
-                let moved = file.with(settings, number, value)?;
-                Some(Box::new(Self::File(Box::new(moved))))
-            }
-        }
+        trace: &PixelTrace,
+        scene: &str,
+    ) -> Result<String, Error> {
+        Ok(self.view(settings)?.drawing(&trace.steps, scene).svg)
     }
 
-    fn pixel_step(
-        &self,
-        settings: &Settings,
-        number: &SceneNumber,
-        pixel: Option<[u32; 2]>,
-    ) -> Result<f64, Error> {
-        let footprint = self.view(settings)?.footprint(settings.size, pixel);
-        let step = footprint.step(number);
-        let Self::File(file) = self else {
-            return Ok(step);
-        };
-        if number.table != "[camera]" {
-            return Ok(step);
-        }
-        let little = step / 1024.0;
-        let moved = file.with(settings, number, number.value + little);
-        Ok(match moved.and_then(|moved| moved.view(settings).ok()) {
-            Some(view) => step.min(little * footprint.camera_steps(settings.size, &view)),
-            None => step,
-        })
+    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error> {
+        let view = self.view(settings)?;
+        Ok(view.seen_rays(settings.size, &trace.steps))
+    }
+
+    fn why_black(&self, settings: &Settings) -> Result<Option<String>, Error> {
+        let of_stage = matches!(self, Self::Code(_));
+        Ok(self.view(settings)?.why_black(settings, of_stage))
+    }
+
+    fn camera_lines(&self, settings: &Settings) -> Result<String, Error> {
+        self.view(settings)?.camera_lines(settings)
+    }
+
+    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+        self.view(settings)?.export(language, settings)
     }
 }

@@ -2,7 +2,7 @@
 
 use a02_math::Point3;
 use a03_rays_cameras::instruments::Instruments;
-use a03_rays_cameras::{PinholeCamera, Ray, TracedWorld, View, inspector, traced_scene};
+use a03_rays_cameras::{PinholeCamera, Ray, TracedWorld, View, traced_scene};
 use common::{ArgumentError, Color, Settings, Size};
 
 /// A world in which the lesson finds no light, and the engine this background.
@@ -37,7 +37,7 @@ fn why_black(view: fn(Size) -> Result<View, ArgumentError>) -> Option<String> {
         ..Settings::default()
     };
     let scene = traced_scene("dark", "a black picture", view);
-    inspector(&scene).unwrap().why_black(&settings).unwrap()
+    scene.rays().unwrap().why_black(&settings).unwrap()
 }
 
 #[test]

@@ -3,9 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    command_line::run(
-        &a07_lab::errata::stage(),
-        a01_image_display::viewer(),
-        a03_rays_cameras::inspector,
-    )
+    command_line::run(&a07_lab::errata::stage(), a01_image_display::viewer())
 }

@@ -1,6 +1,5 @@
 //! The largest depth between two perfect mirrors, where a ray hits as many surfaces as it may.
 
-use a03_rays_cameras::inspector;
 use common::{Color, Renderer, Settings, Size};
 
 use crate::scene_cases::open;
@@ -34,8 +33,7 @@ fn the_largest_depth_ends_and_every_surface_counts() {
         let rays = scene.rays().unwrap();
         let trace = rays.trace(&settings, [1, 1]).unwrap();
         assert_eq!(trace.color, expected);
-        let inspected = inspector(&scene).unwrap();
-        assert!(inspected.drawing(&settings, &trace, scene.name).is_ok());
-        assert!(inspected.seen_rays(&settings, &trace).is_ok());
+        assert!(rays.drawing(&settings, &trace, scene.name).is_ok());
+        assert!(rays.seen_rays(&settings, &trace).is_ok());
     }
 }

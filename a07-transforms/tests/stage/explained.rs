@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use a03_rays_cameras::inspector;
 use common::steps::{Step, StepKind};
 use common::{Color, PixelTrace, Renderer, Scene, Settings, Size};
 
@@ -85,10 +84,7 @@ fn a_drawing_shows_objects_and_rays() {
     let scene = &a06_shadows_reflection::stage().scenes[0];
     let rays = scene.rays().unwrap();
     let trace = rays.trace(&scene.defaults, [250, 250]).unwrap();
-    let drawing = inspector(scene)
-        .unwrap()
-        .drawing(&scene.defaults, &trace, scene.name)
-        .unwrap();
+    let drawing = rays.drawing(&scene.defaults, &trace, scene.name).unwrap();
     for (part, times) in [
         ("1: Plane", 2),
         ("4: Sphere", 2),

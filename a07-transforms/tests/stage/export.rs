@@ -2,7 +2,6 @@
 
 use std::fs;
 
-use a03_rays_cameras::inspector;
 use a07_transforms::stage;
 use common::Scene;
 
@@ -48,8 +47,8 @@ fn pov_ray_sees_normals_that_are_equal_as_those_of_a_smooth_triangle() {
     ] {
         let scene = triangle(second, third);
         let export = |language| {
-            let inspected = inspector(&scene).unwrap();
-            inspected.export(language, &scene.defaults).unwrap()
+            let rays = scene.rays().unwrap();
+            rays.export(language, &scene.defaults).unwrap()
         };
         let [a, b, c] = normals(&export("povray"));
         let farthest = distance(a, b).max(distance(a, c));
@@ -79,7 +78,7 @@ fn pov_ray_gets_every_phrase_of_its_language_with_its_numbers() {
     let mut exported = String::new();
     for scene in &scenes {
         // Some have a part for which POV-Ray has no words.
-        let export = inspector(scene).unwrap().export("povray", &scene.defaults);
+        let export = scene.rays().unwrap().export("povray", &scene.defaults);
         exported += &export.unwrap_or_default();
     }
     assert!(!exported.contains('['));

@@ -7,7 +7,6 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use a03_rays_cameras::inspector;
 use a07_transforms::stage;
 use common::{Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer};
 
@@ -79,7 +78,7 @@ pub fn picture_of(open: Open, scene: &Scene, size: Size) -> Image {
     let name = scene.name;
     assert!(engine == lesson, "{name}: the engine differs");
     assert!(all_work == lesson, "{name}: all work differs");
-    let export = inspector(scene).unwrap().export("toml", &scene.defaults);
+    let export = scene.rays().unwrap().export("toml", &scene.defaults);
     let export = export.unwrap_or_else(|error| panic!("{name}: {error}"));
     let again = open_by(open, export.as_bytes());
     let again = again.unwrap_or_else(|error| panic!("the export of {name}, {error}:\n{export}"));
@@ -147,8 +146,8 @@ pub fn wrong_scenes(file: &Path, open: Open) -> String {
                 if expected.contains("# black: ") {
                     let bytes = image().to_rgb8(Transfer::Linear);
                     assert!(bytes.iter().all(|byte| *byte == 0), "{text}");
-                    let inspected = inspector(&scene).unwrap();
-                    let reason = inspected.why_black(&scene.defaults).unwrap();
+                    let rays = scene.rays().unwrap();
+                    let reason = rays.why_black(&scene.defaults).unwrap();
                     let reason = reason.as_deref().unwrap_or("none");
                     found.push(format!("# black: {reason}"));
                 }

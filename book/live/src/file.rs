@@ -13,14 +13,20 @@ const MAX_SURFACES: u32 = 50;
 
 /// The scene of a scene file.
 pub fn scene(text: &str) -> Result<Scene, Error> {
+    let (defaults, file) = numbered(text)?;
+    let scene = Scene::traced("file", "a scene of a file", Views::File(Box::new(file)));
+    Ok(scene.reflecting().with_defaults(defaults))
+}
+
+/// The settings of a scene file, and its numbers.
+pub fn numbered(text: &str) -> Result<(Settings, NumberedFile), Error> {
     let (defaults, file) = read(text).map_err(|error| Error::SceneFile(error.within(text)))?;
-    let views = Views::File(Box::new(NumberedFile {
+    let file = NumberedFile {
         format: FORMAT,
         text: text.into(),
         file,
-    }));
-    let scene = Scene::traced("file", "a scene of a file", views);
-    Ok(scene.reflecting().with_defaults(defaults))
+    };
+    Ok((defaults, file))
 }
 
 /// The settings of a scene file, and its tables.

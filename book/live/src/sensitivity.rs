@@ -5,7 +5,8 @@ mod response;
 
 use std::cell::RefCell;
 
-use common::{Color, Error, Image, Scene, SceneNumber, Settings, Unit};
+use a03_rays_cameras::registry::NumberedFile;
+use common::{Color, Error, Image, SceneNumber, Settings, Unit};
 use page::settings;
 
 use crate::catalogue::FILE;
@@ -14,8 +15,8 @@ use response::{Response, response};
 
 /// A file whose text a page has sent, so that it is read once for many requests about it.
 struct Opened {
-    text: String,
-    scene: Scene,
+    file: NumberedFile,
+    defaults: Settings,
     numbers: Vec<SceneNumber>,
     /// The last pictures that were asked for, and their settings.
     pictures: Vec<(Settings, Image)>,
@@ -31,7 +32,7 @@ impl Opened {
         let place = if let Some(place) = known.position(|(known, _)| known == settings) {
             place
         } else {
-            let picture = self.scene.render(settings, &())?;
+            let picture = self.file.view(settings)?.render(settings, &())?;
             self.pictures.truncate(MAX_PICTURES - 1);
             self.pictures.insert(0, (settings.clone(), picture));
             0
@@ -46,11 +47,11 @@ impl Opened {
         settings: &Settings,
         number: &SceneNumber,
     ) -> Result<Option<(f64, Image)>, Error> {
-        let rays = self.scene.rays()?;
-        let step = rays.pixel_step(settings, number, None)?;
+        let step = self.file.pixel_step(settings, number, None)?;
         for step in [step, -step, step / 64.0, -step / 64.0] {
-            let moved = rays.with(settings, number, number.value + step);
-            if let Some(Ok(image)) = moved.map(|moved| moved.render(settings, &())) {
+            let moved = self.file.with(settings, number, number.value + step);
+            let view = moved.and_then(|moved| moved.view(settings).ok());
+            if let Some(Ok(image)) = view.map(|view| view.render(settings, &())) {
                 return Ok(Some((step, image)));
             }
         }
@@ -67,11 +68,10 @@ impl Opened {
         if number.unit == Unit::Whole {
             return Ok((Response::None, 0.0));
         }
-        let rays = self.scene.rays()?;
-        let step = rays.pixel_step(settings, number, Some(pixel))? / 2.0;
+        let step = self.file.pixel_step(settings, number, Some(pixel))? / 2.0;
         Ok(response(number.value, step, &|value| {
-            let moved = rays.with(settings, number, value)?;
-            let color = moved.color(settings, pixel).ok()?;
+            let moved = self.file.with(settings, number, value)?;
+            let color = moved.view(settings).ok()?.color(settings, pixel);
             color.is_finite().then(|| color.channels())
         }))
     }
@@ -87,13 +87,13 @@ fn with_file(picture: &str, answer: impl FnOnce(&mut Opened) -> Answered) -> Ans
     let text = picture.strip_prefix(FILE).ok_or_else(no_file)?;
     OPENED.with_borrow_mut(|last| {
         let opened = match last.take() {
-            Some(opened) if opened.text == text => opened,
+            Some(opened) if *opened.file.text == *text => opened,
             _ => {
-                let scene = file::scene(text)?;
+                let (defaults, file) = file::numbered(text)?;
                 Opened {
-                    text: text.to_owned(),
-                    numbers: scene.rays()?.numbers(&scene.defaults).unwrap_or_default(),
-                    scene,
+                    numbers: file.numbers(&defaults),
+                    file,
+                    defaults,
                     pictures: Vec::new(),
                 }
             }
@@ -105,13 +105,13 @@ fn with_file(picture: &str, answer: impl FnOnce(&mut Opened) -> Answered) -> Ans
 /// All numbers of a file. The text has a line for each, its table and its key; the places are in the
 /// units of UTF-16 that the strings of a page have.
 pub fn numbers(picture: &str) -> Answered {
-    with_file(picture, |Opened { text, numbers, .. }| {
+    with_file(picture, |Opened { file, numbers, .. }| {
         let names = numbers
             .iter()
             .map(|SceneNumber { table, key, .. }| format!("{table}\t{key}"));
         let names: Vec<_> = names.collect();
         let units_before = |at: usize| {
-            let before = text.get(..at).unwrap_or(text);
+            let before = file.text.get(..at).unwrap_or(&file.text);
             before.encode_utf16().count() as f64
         };
         let list =
@@ -144,7 +144,7 @@ fn unit(unit: Unit) -> f64 {
 /// for a change without a slope; its channels stand in `changes`.
 pub fn responses(picture: &str, given: &[f64]) -> Answered {
     with_file(picture, |opened| {
-        let settings = settings(&opened.scene.defaults, given)?;
+        let settings = settings(&opened.defaults, given)?;
         let &[column, row, first, count] = given.get(10..14).unwrap_or_default() else {
             return Err(Error::Usage(
                 "a pixel and its numbers are needed".to_owned(),
@@ -183,7 +183,7 @@ pub fn responses(picture: &str, given: &[f64]) -> Answered {
 /// change of 1 or more, 1 for a ten-thousandth or less.
 pub fn changes(picture: &str, given: &[f64]) -> Answered {
     with_file(picture, |opened| {
-        let settings = settings(&opened.scene.defaults, given)?;
+        let settings = settings(&opened.defaults, given)?;
         let Some(index) = given.get(10) else {
             opened.picture(&settings)?;
             return Ok(Answer::default());

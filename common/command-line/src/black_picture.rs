@@ -3,11 +3,10 @@
 use common::pixel_trace::digits;
 use common::{Color, Image, Scene, Settings};
 
-use crate::Inspector;
 use crate::print::warn;
 
 /// Prints a note with the reason if a picture is black all over, and the reason is sure.
-pub fn warn_if_black(scene: &Scene, settings: &Settings, inspector: Inspector, image: &Image) {
+pub fn warn_if_black(scene: &Scene, settings: &Settings, image: &Image) {
     let mut brightest: f64 = 0.0;
     for color in image.rows().flatten() {
         // Bytes take longer than this, and pictures begin with many black pixels.
@@ -24,7 +23,7 @@ pub fn warn_if_black(scene: &Scene, settings: &Settings, inspector: Inspector, i
         Some(format!(
             "its brightest color is {brightest}, and white is 1"
         ))
-    } else if let Ok(rays) = inspector(scene) {
+    } else if let Ok(rays) = scene.rays() {
         rays.why_black(settings).ok().flatten()
     } else {
         None

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use common::steps::{Outcome, StepKind};
 use common::{Color, Error, PixelTrace, Renderer, Scene, Settings};
 
-use crate::Inspector;
 use crate::explained_pixel::trace_in_words;
 use crate::options::{MAX_EXPLAINED_SAMPLES, Options};
 use crate::print::{print, warn};
@@ -51,7 +50,7 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 }
 
 /// Lists every number behind a pixel of the scene, and compares its colour with the rendered picture.
-pub fn explain(scene: &Scene, inspector: Inspector, arguments: &ExplainArgs) -> Result<(), Error> {
+pub fn explain(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
     let (options, settings) = (&arguments.options, arguments.options.settings(scene)?);
     let pixel @ [x, y] = arguments.pixel;
     check(&settings, pixel, arguments)?;
@@ -75,7 +74,7 @@ pub fn explain(scene: &Scene, inspector: Inspector, arguments: &ExplainArgs) -> 
         trace_in_words(scene, &settings, &trace)
     })?;
     if let Some(path) = &arguments.drawing {
-        let drawing = inspector(scene)?.drawing(&settings, &trace, scene.name)?;
+        let drawing = rays.drawing(&settings, &trace, scene.name)?;
         write_text(path, &drawing, &arguments.other)?;
     }
     if arguments.beside {
@@ -89,7 +88,7 @@ pub fn explain(scene: &Scene, inspector: Inspector, arguments: &ExplainArgs) -> 
         // The lesson takes minutes for the other pixels.
         compared.renderer = Renderer::Engine;
     }
-    let rendered = render(scene, &compared, inspector, options)?.get(x, y);
+    let rendered = render(scene, &compared, options)?.get(x, y);
     if rendered != Some(color) {
         let (rendered, color) = (rendered.map(Color::channels), color.channels());
         warn(&format!(

@@ -2,10 +2,9 @@
 
 use common::pixel_trace::digits;
 use common::steps::{Outcome, StepKind};
-use common::{Color, Error, Picture, PixelTrace, Renderer, Sampling, Scene, Settings};
+use common::{Color, Error, Picture, PixelTrace, Renderer, Sampling, Scene, SeenLine, Settings};
 
 use crate::options::MAX_CLICKED_SAMPLES;
-use crate::{Inspector, SeenLine};
 
 /// A pixel with its rays.
 pub struct ExplainedPixel {
@@ -26,7 +25,6 @@ impl ExplainedPixel {
     pub fn new(
         scene: &Scene,
         mut settings: Settings,
-        inspector: Inspector,
         pixel: [u32; 2],
         color: Color,
     ) -> Result<Self, Error> {
@@ -54,7 +52,7 @@ impl ExplainedPixel {
             pixel,
             object: first_object(&trace),
             color: trace.color,
-            rays: inspector(scene)?.seen_rays(&settings, &trace)?,
+            rays: traced.seen_rays(&settings, &trace)?,
             text,
         })
     }

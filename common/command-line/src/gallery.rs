@@ -12,6 +12,7 @@ use std::time::Instant;
 
 use common::{Edits, Error, Image, Scene, Settings, Size, Stage};
 
+use crate::LivePicture;
 use crate::black_picture::warn_if_black;
 use crate::explained_pixel::ExplainedPixel;
 use crate::grammar::Showing;
@@ -19,12 +20,10 @@ use crate::opened_file::OpenedFile;
 use crate::options::Options;
 use crate::print::warn;
 use crate::render::{print_notes, warn_unused};
-use crate::{Inspector, LivePicture};
 
 /// The scenes, the picture of the one that is shown, and what a person wants to know of it.
 pub struct Gallery<'a> {
     stage: &'a Stage,
-    inspector: Inspector,
     /// The scene file, which stands before the scenes of the stage.
     file: Option<OpenedFile>,
     /// The number of the scene that is shown.
@@ -60,13 +59,11 @@ impl<'a> Gallery<'a> {
         stage: &'a Stage,
         file: Option<OpenedFile>,
         number: usize,
-        inspector: Inspector,
         showing: &Showing,
     ) -> Result<Self, Error> {
         let options = showing.options.clone();
         let mut gallery = Self {
             stage,
-            inspector,
             file,
             number,
             edits: Edits::default(),
@@ -262,7 +259,7 @@ impl<'a> Gallery<'a> {
                 && let Some(scene) = self.scene()
                 && let Ok(settings) = self.settings(scene)
             {
-                warn_if_black(scene, &settings, self.inspector, image);
+                warn_if_black(scene, &settings, image);
             }
             let bad = image.count_non_finite();
             if bad > 0 {

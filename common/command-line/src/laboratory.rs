@@ -8,7 +8,6 @@ use std::process::{self, ExitCode};
 use clap::{Args, Subcommand};
 use common::{Error, Stage, text, workbook};
 
-use crate::Inspector;
 use crate::explain_pixel::{ExplainArgs, explain};
 use crate::options::Options;
 use crate::print::print;
@@ -60,11 +59,9 @@ pub struct Arguments {
 }
 
 /// Runs a command and returns the exit code.
-pub fn execute(stage: &Stage, inspector: Inspector, command: Command) -> Result<ExitCode, Error> {
+pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
     let done = match command {
-        Command::Explain { scene, arguments } => {
-            explain(&stage.scene(&scene)?, inspector, &arguments)
-        }
+        Command::Explain { scene, arguments } => explain(&stage.scene(&scene)?, &arguments),
         Command::Export {
             scene,
             to,
@@ -77,7 +74,7 @@ pub fn execute(stage: &Stage, inspector: Inspector, command: Command) -> Result<
                 let ending = if to == "toml" { "toml" } else { "pov" };
                 check_text(path, ending, &scene, &options)?;
             }
-            let text = inspector(&scene)?.export(&to, &options.settings(&scene)?)?;
+            let text = scene.rays()?.export(&to, &options.settings(&scene)?)?;
             match output {
                 Some(path) => write_text(&path, &text, &other),
                 None => print(text.trim_end()),

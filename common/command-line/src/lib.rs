@@ -2,7 +2,7 @@
 //! scenes of a [`Stage`](common::Stage).
 //!
 //! The crate of a stage passes its scenes to [`run`], together with a [`Viewer`] if
-//! the build has a window, and an [`Inspector`]. The commands of laboratories and of exercises are in the crates
+//! the build has a window. The commands of laboratories and of exercises are in the crates
 //! `measure` and `learn`.
 
 mod black_picture;
@@ -10,7 +10,6 @@ mod explain_pixel;
 mod explained_pixel;
 mod gallery;
 mod grammar;
-mod inspect;
 mod laboratory;
 mod live_picture;
 mod named;
@@ -30,7 +29,6 @@ mod work;
 
 pub use explained_pixel::ExplainedPixel;
 pub use gallery::Gallery;
-pub use inspect::{Inspect, Inspector, SeenLine, no_rays};
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
 pub use print::print;

@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 
 use common::{Error, Image, Renderer, Scene, Settings, Stage, text};
 
-use crate::Inspector;
 use crate::black_picture::warn_if_black;
 use crate::opened_file::OpenedFile;
 use crate::options::Options;
@@ -28,7 +27,6 @@ pub fn render_to_files(
     scenes: &[Scene],
     output: Option<PathBuf>,
     explains_work: bool,
-    inspector: Inspector,
     options: &Options,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -43,7 +41,7 @@ pub fn render_to_files(
             work::explain(scene, &settings, options)?;
         }
         let start = Instant::now();
-        let image = render(scene, &settings, inspector, options)?;
+        let image = render(scene, &settings, options)?;
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         let path = text::visible(&path.to_string_lossy());
@@ -102,12 +100,7 @@ pub const fn sooner(settings: &Settings) -> &'static str {
 }
 
 /// Renders a scene, with a bar on the terminal.
-pub fn render(
-    scene: &Scene,
-    settings: &Settings,
-    inspector: Inspector,
-    options: &Options,
-) -> Result<Image, Error> {
+pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<Image, Error> {
     let is_lesson = scene.uses.sampling && settings.renderer == Renderer::Lesson;
     let hint = is_lesson.then(|| format!("note: --fast {}", sooner(settings)));
     let progress = TerminalProgress::new(scene.name, settings.size).with_hint(hint);
@@ -137,7 +130,7 @@ pub fn render(
             "warning: {bad} pixels of {name} are no finite numbers"
         ));
     }
-    warn_if_black(scene, settings, inspector, &image);
+    warn_if_black(scene, settings, &image);
     Ok(image)
 }
 

@@ -7,10 +7,10 @@ use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue};
 use common::{Error, Scene, Stage, text};
 
+use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
 use crate::print::{ignore_broken_pipe, print, warn};
 use crate::target::is_same_file;
-use crate::{Inspector, Viewer};
 use crate::{render, show};
 
 /// Runs the program of `stage` with the arguments of this process.
@@ -18,8 +18,8 @@ use crate::{render, show};
 /// Every error ends in one sentence on stderr and an exit code: 2 for a wrong
 /// command line, 1 for all others.
 #[must_use]
-pub fn run(stage: &Stage, viewer: Option<Viewer>, inspector: Inspector) -> ExitCode {
-    run_with(stage, viewer, inspector, std::env::args_os())
+pub fn run(stage: &Stage, viewer: Option<Viewer>) -> ExitCode {
+    run_with(stage, viewer, std::env::args_os())
 }
 
 /// Like [`run`], with the given arguments, the first of which is the program's name.
@@ -27,14 +27,13 @@ pub fn run(stage: &Stage, viewer: Option<Viewer>, inspector: Inspector) -> ExitC
 pub fn run_with(
     stage: &Stage,
     viewer: Option<Viewer>,
-    inspector: Inspector,
     arguments: impl IntoIterator<Item = OsString>,
 ) -> ExitCode {
     let parsed = CommandLine::of(stage)
         .try_get_matches_from(arguments)
         .and_then(|matches| CommandLine::from_arg_matches(&matches));
     let outcome = match parsed {
-        Ok(line) => execute(stage, viewer, inspector, line),
+        Ok(line) => execute(stage, viewer, line),
         Err(help_or_error) => match scene_as_command(stage, &help_or_error) {
             Some(Scene { name, .. }) => Err(Error::Usage(format!(
                 "{name} is a scene of {}, not a command; try: show {name}",
@@ -81,18 +80,11 @@ fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Sce
         })
 }
 
-fn execute(
-    stage: &Stage,
-    viewer: Option<Viewer>,
-    inspector: Inspector,
-    line: CommandLine,
-) -> Result<ExitCode, Error> {
+fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<ExitCode, Error> {
     let done = match line.command {
-        None => show::show(stage, None, viewer, inspector, &line.showing),
+        None => show::show(stage, None, viewer, &line.showing),
         Some(Command::List) => list(stage),
-        Some(Command::Show { scene, showing }) => {
-            show::show(stage, Some(&scene), viewer, inspector, &showing)
-        }
+        Some(Command::Show { scene, showing }) => show::show(stage, Some(&scene), viewer, &showing),
         Some(Command::Render {
             scenes,
             all,
@@ -102,7 +94,7 @@ fn execute(
             options,
         }) => {
             let render = |scenes: &[Scene]| {
-                render::render_to_files(stage, scenes, output.clone(), work, inspector, &options)
+                render::render_to_files(stage, scenes, output.clone(), work, &options)
             };
             if watch {
                 return render::watch(stage, &scenes, render).map(|()| ExitCode::SUCCESS);
@@ -113,7 +105,7 @@ fn execute(
             }
             render(&chosen)
         }
-        Some(Command::Laboratory(it)) => return crate::laboratory::execute(stage, inspector, it),
+        Some(Command::Laboratory(it)) => return crate::laboratory::execute(stage, it),
     };
     done.map(|()| ExitCode::SUCCESS)
 }

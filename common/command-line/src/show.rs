@@ -9,7 +9,7 @@ use crate::opened_file::OpenedFile;
 use crate::print::warn;
 use crate::render::render_to_files;
 use crate::watch::NOT_WATCHED;
-use crate::{Gallery, Inspector, NotShown, Viewer};
+use crate::{Gallery, NotShown, Viewer};
 
 /// Shows a scene until its window is closed: the one of this name or scene file, or else the first.
 /// Without a window, renders its picture. With `--watch` the window waits for the correction of a
@@ -18,7 +18,6 @@ pub fn show(
     stage: &Stage,
     name: Option<&str>,
     viewer: Option<Viewer>,
-    inspector: Inspector,
     showing: &Showing,
 ) -> Result<(), Error> {
     let name = name.unwrap_or_else(|| stage.scenes.first().map_or("", |scene| scene.name));
@@ -27,7 +26,7 @@ pub fn show(
         return Err(Error::Usage(NOT_WATCHED.to_owned()));
     }
     if !showing.no_window {
-        match show_in_window(stage, name, viewer, inspector, showing) {
+        match show_in_window(stage, name, viewer, showing) {
             Ok(()) => return Ok(()),
             Err(NotShown::Failed(error)) => return Err(error),
             Err(NotShown::NoWindow(reason)) => warn(&format!("no window: {reason}")),
@@ -45,7 +44,6 @@ pub fn show(
         slice::from_ref(&scene),
         None,
         false,
-        inspector,
         &showing.options,
     )
 }
@@ -54,7 +52,6 @@ fn show_in_window(
     stage: &Stage,
     name: &str,
     viewer: Option<Viewer>,
-    inspector: Inspector,
     showing: &Showing,
 ) -> Result<(), NotShown> {
     let mut file = None;
@@ -78,7 +75,7 @@ fn show_in_window(
         let reason = "this build has none; the feature `window` brings it";
         return Err(NotShown::NoWindow(reason.to_owned()));
     };
-    viewer(&mut Gallery::new(stage, file, number, inspector, showing)?)
+    viewer(&mut Gallery::new(stage, file, number, showing)?)
 }
 
 #[cfg(test)]
@@ -103,7 +100,7 @@ mod tests {
             options: Options::default(),
         };
         let failing: Viewer = |_| Err(Error::Stopped.into());
-        let shown = show(&stage, None, Some(failing), crate::no_rays, &options);
+        let shown = show(&stage, None, Some(failing), &options);
         assert!(matches!(shown, Err(Error::Stopped)));
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::{env, fs};
 
-use command_line::{Gallery, NotShown, no_rays, run_with};
+use command_line::{Gallery, NotShown, run_with};
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, picture_file};
 use measure::Laboratory;
 use measure::extremes::{Case, Number};
@@ -40,7 +40,7 @@ fn run_many() {
         let line: Vec<_> = line.map(with_bytes).collect();
         let documented = [0, 1, 2].map(ExitCode::from);
         for code in [
-            run_with(&stage(), Some(look), no_rays, line.clone()),
+            run_with(&stage(), Some(look), line.clone()),
             measure::run_with(&laboratory(), line.clone()),
         ] {
             assert!(documented.contains(&code), "{code:?} for {line:?}");

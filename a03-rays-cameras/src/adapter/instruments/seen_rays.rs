@@ -1,9 +1,8 @@
 //! The rays of a trace as the camera sees them, for the picture.
 
 use a02_math::{Direction, Point3, Vector3};
-use command_line::SeenLine;
-use common::Size;
 use common::steps::Step;
+use common::{SeenLine, Size};
 
 use super::drawing::Lines;
 use crate::{Camera, View};

@@ -37,6 +37,27 @@ impl NumberedFile {
         })
     }
 
+    /// By how much a number is moved so that the things in a pixel move by about its width; without
+    /// a pixel, those of the picture. A colour or a factor moves by a fraction of itself.
+    pub fn pixel_step(
+        &self,
+        settings: &Settings,
+        number: &SceneNumber,
+        pixel: Option<[u32; 2]>,
+    ) -> Result<f64, Error> {
+        let footprint = self.view(settings)?.footprint(settings.size, pixel);
+        let step = footprint.step(number);
+        if number.table != "[camera]" {
+            return Ok(step);
+        }
+        let little = step / 1024.0;
+        let moved = self.with(settings, number, number.value + little);
+        Ok(match moved.and_then(|moved| moved.view(settings).ok()) {
+            Some(view) => step.min(little * footprint.camera_steps(settings.size, &view)),
+            None => step,
+        })
+    }
+
     /// The camera and the world of the file.
     pub fn view(&self, settings: &Settings) -> Result<View, Error> {
         let view = (self.format.view)(&self.file.with_transfer(settings.transfer));

@@ -103,7 +103,7 @@ impl Gallery<'_> {
         let color = self.color(pixel).unwrap_or(seen);
         let explained = self.scene().ok_or_else(no_scene).and_then(|scene| {
             let settings = self.settings(scene)?;
-            ExplainedPixel::new(scene, settings, self.inspector, pixel, color)
+            ExplainedPixel::new(scene, settings, pixel, color)
         });
         let printed = explained.and_then(|explained| {
             print(&explained.text)?;
@@ -134,7 +134,7 @@ impl Gallery<'_> {
     /// Prints the camera as the lines of a scene file.
     pub fn print_camera(&mut self) {
         let lines = self.scene().ok_or_else(no_scene).and_then(|scene| {
-            let lines = (self.inspector)(scene)?.camera_lines(&self.settings(scene)?)?;
+            let lines = scene.rays()?.camera_lines(&self.settings(scene)?)?;
             print(&lines)
         });
         self.say("the terminal shows the camera for a scene file");

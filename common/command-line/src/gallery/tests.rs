@@ -43,7 +43,7 @@ fn with_file(text: &str, test: impl FnOnce(&mut Gallery, &Path)) {
         options: Options::default(),
     };
     let file = OpenedFile::open(&stage, &path, true);
-    let mut gallery = Gallery::new(&stage, Some(file), 0, crate::no_rays, &showing).unwrap();
+    let mut gallery = Gallery::new(&stage, Some(file), 0, &showing).unwrap();
     gallery.begin().unwrap();
     test(&mut gallery, &path);
 }
