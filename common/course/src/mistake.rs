@@ -5,7 +5,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use common::text;
-use judge::answers::{MODE, Mode, Record, StudentAnswer, read_answers, read_rows, verdict};
+use judge::answers::{
+    KnownMistake, MODE, Mode, Record, StudentAnswer, read_answers, read_right_answers, verdict,
+};
 use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
 
@@ -56,13 +58,12 @@ impl Mistake {
         let (given, _) = read_answers(&output);
         self.check_is_unknown(&record, &given, fact)?;
 
-        let mistake = judge::answers::Mistake::new(fact, &record.rows, &read_rows(&output));
-        let count = mistake.wrong_rows();
-        let has_same_answers = |known: &judge::answers::Mistake| {
+        let mistake = KnownMistake::new(fact, &record.questions, &read_right_answers(&output));
+        let count = mistake.wrong_count();
+        let has_same_answers = |known: &KnownMistake| {
             let alone = Record {
-                rows: record.rows.clone(),
                 mistakes: vec![known.clone()],
-                ..Record::default()
+                ..record.clone()
             };
             verdict(&alone, &given).known.is_some()
         };

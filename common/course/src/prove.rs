@@ -11,7 +11,7 @@ use std::{env, fs};
 use common::difference::{compare_with_file, largest, leave_pictures};
 use common::picture_file;
 use judge::answers::{
-    BEGUN, MODE, Mode, Record, StudentAnswer, WORDS_MARK, read_answers, read_rows,
+    BEGUN, MODE, Mode, Record, StudentAnswer, WORDS_MARK, read_answers, read_right_answers,
 };
 use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
@@ -97,12 +97,12 @@ impl Prove {
         let output = ask(program, e, Mode::Mistake)?;
         let printed = String::from_utf8_lossy(&output.stdout);
         let (given, _) = read_answers(&printed);
-        let rows = read_rows(&printed);
-        if rows.is_empty() {
+        let right_answers = read_right_answers(&printed);
+        if right_answers.is_empty() {
             return Err(words(&output));
         }
         let record = if is_recording() {
-            let (record, messages) = recorded.with_rows(rows);
+            let (record, messages) = recorded.renewed(right_answers);
             for message in messages {
                 println!("{}: {message}", e.name);
             }
@@ -110,7 +110,7 @@ impl Prove {
             fs::write(&file, record.to_string()).map_err(with_path(&file))?;
             record
         } else {
-            let record = Record { rows, ..recorded };
+            let record = recorded.with_answers(right_answers);
             compare(&files::read(&record_file(e))?, &record.to_string())?;
             record
         };

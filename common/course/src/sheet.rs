@@ -5,7 +5,9 @@ use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
-use judge::pictures::{Drawn, Facts, MARKED, Picture, Run, Sheet, last_words, no_picture};
+use judge::pictures::{
+    Drawn, Facts, MARKED_EXTENSION, RequestedPicture, Run, Sheet, ask_facts, last_words, no_picture,
+};
 use learn::files::{self, with_path};
 use learn::sheet::{find, read_all};
 
@@ -148,7 +150,7 @@ fn judge_program(
     // By scene and samples.
     let mut pictures = BTreeMap::new();
     let mut fault = None;
-    let judgement = judge::pictures::judge(sheet, Facts::All, &mut |picture, run| {
+    let judgement = ask_facts(sheet, Facts::All, &mut |picture, run| {
         let drawn = draw(sandbox, &command, picture, run, kept).map_err(|problem| {
             let (Problem::OfProgram(words) | Problem::OfGrader(words)) = &problem;
             let words = words.clone();
@@ -173,7 +175,7 @@ fn judge_program(
     let report = sandbox.without_place(&judgement.report());
     let mut files = Vec::new();
     for file in pictures.into_values() {
-        let marked = file.with_extension(MARKED);
+        let marked = file.with_extension(MARKED_EXTENSION);
         files.push(file);
         if marked.exists() {
             files.push(marked);
@@ -201,7 +203,7 @@ enum Problem {
 fn draw(
     sandbox: &Sandbox,
     command: &[String],
-    picture: &Picture,
+    picture: &RequestedPicture,
     run: &Run,
     kept: &Path,
 ) -> Result<Drawn, Problem> {
@@ -258,7 +260,7 @@ mod tests {
         let size = Size::new(1, 1).unwrap();
         let pixel = Image::black(size).unwrap().to_rgb8(Transfer::Linear);
         picture_file::save_png(&folder.join("program/pixel.png"), size, &pixel).unwrap();
-        let picture = Picture {
+        let picture = RequestedPicture {
             scene: "a".to_owned(),
             samples: vec![1],
             size,

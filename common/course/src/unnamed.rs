@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use std::fs;
 
 use common::fnv1a;
-use judge::answers::{Mistake, Record, StudentAnswer, verdict};
+use judge::answers::{KnownMistake, Record, StudentAnswer, verdict};
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
 
@@ -52,22 +52,18 @@ impl Unnamed {
                 return Ok(());
             }
         }
-        let rows = record(e)?.rows;
+        let record = record(e)?;
         let mut its = Vec::new();
-        for (row, StudentAnswer { answer, .. }) in rows.iter().zip(given) {
+        for (question, StudentAnswer { answer, .. }) in record.questions.iter().zip(given) {
             let Some(answer) = answer else {
                 return Ok(());
             };
-            its.push(row.with_answer(answer.clone()));
+            its.push(question.right.with_answer(answer.clone()));
         }
-        let mistakes = vec![Mistake::new("", &rows, &its)];
+        let mistakes = vec![KnownMistake::new("", &record.questions, &its)];
         self.groups.push(Group {
             exercise: e,
-            record: Record {
-                rows,
-                mistakes,
-                ..Record::default()
-            },
+            record: Record { mistakes, ..record },
             student: student.to_owned(),
             text: text.to_owned(),
             count: 1,
@@ -117,10 +113,14 @@ mod tests {
     #[test]
     fn files_with_the_same_wrong_answers_are_one_group() {
         let e = learn::exercise::find("reflected").unwrap();
-        let Record { rows, mistakes, .. } = record(e).unwrap();
+        let Record {
+            questions,
+            mistakes,
+            ..
+        } = record(e).unwrap();
         let given = |mistake: usize| {
             let mut given = Vec::new();
-            for answer in mistakes[mistake].answers(&rows) {
+            for answer in mistakes[mistake].answers(&questions) {
                 given.push(StudentAnswer {
                     answer: Some(answer),
                     ..StudentAnswer::default()

@@ -10,25 +10,27 @@
 
 mod answer;
 mod input;
-mod mistake;
+mod known_mistake;
 mod mode;
 mod proof;
 mod question;
 mod question_line;
 mod record;
 mod renewal;
-mod row;
+mod right_answer;
 mod student_output;
 mod text;
+mod tolerance;
 mod verdict;
 
 pub use answer::{Answer, assert_close, assert_close_about};
 pub use input::{Arguments, Input};
-pub use mistake::Mistake;
+pub use known_mistake::KnownMistake;
 pub use mode::{BEGUN, MODE, Mode, SECONDS};
 pub use question::Question;
 pub use question_line::QuestionLine;
 pub use record::Record;
-pub use row::{Row, Tolerance};
-pub use student_output::{MARK, WORDS_MARK, print_answers, read_answers, read_rows};
+pub use right_answer::RightAnswer;
+pub use student_output::{MARK, WORDS_MARK, print_answers, read_answers, read_right_answers};
+pub use tolerance::Tolerance;
 pub use verdict::{Painted, StudentAnswer, Verdict, verdict};

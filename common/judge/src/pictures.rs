@@ -5,20 +5,23 @@
 //! and says what is wrong.
 
 mod fact;
+mod fitted_slope;
 mod judgement;
 mod last_words;
 mod line;
-mod marked;
-mod measure;
+mod marked_copy;
+mod quantity;
 mod report;
+mod run;
 mod sheet;
-mod slope;
+mod values;
 
 pub use fact::Fact;
-pub use judgement::{Drawn, Facts, Judgement, State, judge};
+pub use judgement::{Drawn, Facts, Judgement, State, ask_facts};
 pub use last_words::{last_words, no_picture};
-pub use marked::MARKED;
-pub use sheet::{Picture, Run, Sheet};
+pub use marked_copy::MARKED_EXTENSION;
+pub use run::Run;
+pub use sheet::{RequestedPicture, Sheet};
 
 /// The names of the sheets, in the order in which they are set.
 pub const NAMES: [&str; 6] = ["tree", "patterns", "glass", "lamp", "lens", "light"];

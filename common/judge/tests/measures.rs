@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use common::{Color, Error, Image, Size, Transfer, picture_file};
-use judge::pictures::{Drawn, Facts, Picture, Run, Sheet, judge};
+use judge::pictures::{Drawn, Facts, RequestedPicture, Run, Sheet, ask_facts};
 
 const HEAD: &str = "title = \"T\"\npage = \"p.md\"\nhours = 1\n";
 
@@ -144,7 +144,7 @@ const FACTS: [(&str, f64); 20] = [
     ),
 ];
 
-fn draw(folder: &Path, picture: &Picture, run: &Run) -> Drawn {
+fn draw(folder: &Path, picture: &RequestedPicture, run: &Run) -> Drawn {
     let image = image(&picture.scene, picture.size).unwrap();
     let file = folder.join(run.file());
     picture_file::save_png(&file, image.size(), &image.to_rgb8(Transfer::Linear)).unwrap();
@@ -176,7 +176,7 @@ fn each_measure_has_its_closed_form() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let right = sheet(0.0);
-    let judgement = judge(&right, Facts::All, &mut |picture, run| {
+    let judgement = ask_facts(&right, Facts::All, &mut |picture, run| {
         Ok(draw(folder, picture, run))
     });
     assert_eq!(judgement.passed(), FACTS.len(), "{}", judgement.report());
@@ -187,7 +187,7 @@ fn each_measure_has_its_closed_form() {
 
     for change in [-1e-6, 1e-6] {
         let wrong = sheet(change);
-        let judgement = judge(&wrong, Facts::All, &mut |picture, run| {
+        let judgement = ask_facts(&wrong, Facts::All, &mut |picture, run| {
             Ok(draw(folder, picture, run))
         });
         assert_eq!(judgement.passed(), 0, "{}", judgement.report());

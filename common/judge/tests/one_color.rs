@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use common::{Color, Image, Size, Transfer, picture_file};
-use judge::pictures::{Drawn, Facts, Judgement, NAMES, Sheet, judge};
+use judge::pictures::{Drawn, Facts, Judgement, NAMES, Sheet, ask_facts};
 
 const FOLDER: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -17,7 +17,7 @@ fn read(name: &str) -> Sheet {
 /// What the judge says if all pictures are drawn by one function.
 fn judged<'a>(sheet: &'a Sheet, folder: &Path, draw: &dyn Fn(Size) -> Image) -> Judgement<'a> {
     let mut files = BTreeMap::new();
-    judge(sheet, Facts::All, &mut |picture, _| {
+    ask_facts(sheet, Facts::All, &mut |picture, _| {
         let name = format!("{}.png", picture.size);
         let file = files.entry(name.clone()).or_insert_with(|| {
             let file = folder.join(&name);

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ArgGroup;
 use common::text;
-use judge::pictures::{Facts, Judgement, NAMES, Sheet, judge};
+use judge::pictures::{Facts, Judgement, NAMES, Sheet, ask_facts};
 
 use crate::build::{Build, build_own};
 use crate::files::{self, with_path};
@@ -220,7 +220,7 @@ impl OwnProgram {
     /// Asks the program's pictures the facts of a sheet.
     pub fn judge<'a>(&self, sheet: &'a Sheet, facts: Facts) -> Result<Judgement<'a>, String> {
         fs::create_dir_all(&self.pictures).map_err(with_path(&self.pictures))?;
-        Ok(judge(sheet, facts, &mut |picture, run| {
+        Ok(ask_facts(sheet, facts, &mut |picture, run| {
             self.draw(picture, run, &mut told(&format!(": {}", run.words())))
         }))
     }

@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use crate::answers::input::{Input, shown};
+use crate::answers::input::{Input, readable};
 
 /// A result: values, each with a name or alone.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -116,7 +116,7 @@ impl Answer {
                 && right.name == yours.name
                 && !right.name.is_empty()
             {
-                let values = [right, yours].map(|part| part.value.in_words(shown));
+                let values = [right, yours].map(|part| part.value.in_words(readable));
                 return Some(format!("{} {}", right.name, differ(values)));
             }
             let all = |answer: &Self| {
@@ -136,7 +136,7 @@ impl Answer {
             });
             far.count() > 0
         })?;
-        let mut values = [right, yours].map(|part| part.value.in_words(shown));
+        let mut values = [right, yours].map(|part| part.value.in_words(readable));
         if values[0] == values[1] {
             values = [right, yours].map(|part| part.value.in_words(|x| format!("{x:?}")));
         }
@@ -157,7 +157,7 @@ impl Part {
 
     fn with_name(&self) -> String {
         let separator = if self.name.is_empty() { "" } else { " = " };
-        format!("{}{separator}{}", self.name, self.value.in_words(shown))
+        format!("{}{separator}{}", self.name, self.value.in_words(readable))
     }
 }
 
@@ -169,12 +169,12 @@ impl Value {
         }
     }
 
-    fn in_words(&self, shown: impl Fn(f64) -> String) -> String {
+    fn in_words(&self, number_text: impl Fn(f64) -> String) -> String {
         match self {
             Self::Words(words) if words.is_empty() => "nothing".to_owned(),
             Self::Words(words) => words.clone(),
             Self::Numbers(numbers) => {
-                let numbers: Vec<_> = numbers.iter().map(|number| shown(*number)).collect();
+                let numbers: Vec<_> = numbers.iter().map(|number| number_text(*number)).collect();
                 match numbers.as_slice() {
                     [number] => number.clone(),
                     numbers => format!("[{}]", numbers.join(", ")),

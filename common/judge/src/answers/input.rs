@@ -4,8 +4,6 @@ use std::str::{FromStr, Split, SplitWhitespace};
 
 use common::{Color, Sampling};
 
-use crate::answers::text::take_quoted;
-
 /// The zeros at the end of nine decimals by which a number seems to be a shorter one.
 const ZEROS: usize = 3;
 
@@ -60,7 +58,7 @@ impl Input for f64 {
     }
 
     fn words(&self) -> Vec<String> {
-        vec![shown(*self)]
+        vec![readable(*self)]
     }
 
     fn read_part(parts: &mut SplitWhitespace) -> Option<Self> {
@@ -87,7 +85,7 @@ impl Input for Color {
 
 /// A number with as many digits as a reader needs to follow it, or with all if it lies just beside a shorter
 /// one: of 1.000000000001, only they say that it is outside of a sphere of radius 1.
-pub(crate) fn shown(number: f64) -> String {
+pub(crate) fn readable(number: f64) -> String {
     // Without the sign of -0.
     let number = number + 0.0;
     let exact = format!("{number:?}");
@@ -192,6 +190,26 @@ impl Input for String {
     }
 }
 
+/// Takes words in quotes from the beginning of a text.
+pub fn take_quoted(text: &mut &str) -> Option<String> {
+    let mut words = String::new();
+    let mut letters = text.strip_prefix('"')?.chars();
+    loop {
+        match letters.next()? {
+            '"' => break,
+            '\\' => words.push(match letters.next()? {
+                'n' => '\n',
+                'r' => '\r',
+                't' => '\t',
+                escaped => escaped,
+            }),
+            letter => words.push(letter),
+        }
+    }
+    *text = letters.as_str();
+    Some(words)
+}
+
 fn word<T: FromStr>(parts: &mut SplitWhitespace) -> Option<T> {
     // A comma may stand between the items of a list.
     parts.next()?.trim_end_matches(',').parse().ok()
@@ -228,16 +246,16 @@ tuples! { A B; A B C; A B C D; A B C D E; A B C D E F; A B C D E F G; }
 
 #[cfg(test)]
 mod tests {
-    use super::shown;
+    use super::readable;
 
     #[test]
     fn a_number_is_told_from_a_shorter_one_beside_it() {
-        assert_eq!(shown(2.0), "2");
-        assert_eq!(shown(2.000_000_000_001), "2.000000000001");
-        assert_eq!(shown(10.000_000_000_000_2), "10.0000000000002");
-        assert_eq!(shown(1.000_000_000_01e-7), "1.00000000001e-7");
-        assert_eq!(shown(254.179_999_999_999_98), "254.18");
-        assert_eq!(shown(1.0 / 3.0), "0.333333333");
-        assert_eq!(shown(-0.0), "0");
+        assert_eq!(readable(2.0), "2");
+        assert_eq!(readable(2.000_000_000_001), "2.000000000001");
+        assert_eq!(readable(10.000_000_000_000_2), "10.0000000000002");
+        assert_eq!(readable(1.000_000_000_01e-7), "1.00000000001e-7");
+        assert_eq!(readable(254.179_999_999_999_98), "254.18");
+        assert_eq!(readable(1.0 / 3.0), "0.333333333");
+        assert_eq!(readable(-0.0), "0");
     }
 }

@@ -1,19 +1,20 @@
 //! Proves that a known mistake of a record is wrong, and that it is told from all others.
 
-use crate::answers::{Mistake, Record, StudentAnswer, Verdict, verdict};
+use crate::answers::{KnownMistake, QuestionLine, Record, StudentAnswer, Verdict, verdict};
 
 impl Record {
     /// The verdict on a program that answers these questions as this mistake is recorded. The error
     /// says why the mistake does not belong into the record.
-    pub fn prove(&self, mistake: &Mistake, questions: &[String]) -> Result<Verdict, String> {
+    pub fn prove(&self, mistake: &KnownMistake, questions: &[String]) -> Result<Verdict, String> {
         for (number, (answer, _)) in &mistake.answers {
-            let row = self.rows.get(*number);
-            if !row.is_some_and(|row| matches!(row.difference(answer), Ok(Some(_)))) {
+            let difference = |of: &QuestionLine| of.right.difference(answer);
+            let difference = self.questions.get(*number).map(difference);
+            if !matches!(difference, Some(Ok(Some(_)))) {
                 return Err(format!("its answer {} is not wrong", number + 1));
             }
         }
         let mut given = Vec::new();
-        for (answer, question) in mistake.answers(&self.rows).into_iter().zip(questions) {
+        for (answer, question) in mistake.answers(&self.questions).into_iter().zip(questions) {
             given.push(StudentAnswer {
                 question: question.clone(),
                 answer: Some(answer),

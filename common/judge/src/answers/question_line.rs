@@ -1,6 +1,6 @@
 //! `QuestionLine`: a question as a line of an exercise's file.
 
-use crate::answers::{Input, Question};
+use crate::answers::{Input, Question, RightAnswer};
 
 /// A question, as the file of an exercise asks it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +15,8 @@ pub struct QuestionLine {
     pub is_simple: bool,
     /// Its arguments, with `|` between them.
     pub arguments: String,
+    /// The right answer; empty if it has none yet.
+    pub right: RightAnswer,
 }
 
 impl QuestionLine {

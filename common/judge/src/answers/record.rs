@@ -13,17 +13,15 @@ mod reader;
 use std::fmt::{self, Write};
 
 use self::reader::Reader;
-use crate::answers::{Answer, Mistake, QuestionLine, Row, Tolerance, text};
+use crate::answers::{Answer, KnownMistake, QuestionLine, RightAnswer, Tolerance, text};
 
 /// Questions, right answers and known mistakes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// The questions.
+    /// The questions, each with its right answer.
     pub questions: Vec<QuestionLine>,
-    /// The right answer to each question. That to a question which has none yet is empty.
-    pub rows: Vec<Row>,
     /// The known mistakes.
-    pub mistakes: Vec<Mistake>,
+    pub mistakes: Vec<KnownMistake>,
     /// The lines below the last question that ask nothing.
     pub below: String,
 }
@@ -34,15 +32,18 @@ impl fmt::Display for Record {
         for (label, mistake) in mistakes() {
             writeln!(f, "mistake m{label} {}", mistake.overlooks)?;
         }
-        for (number, (question, row)) in self.questions.iter().zip(&self.rows).enumerate() {
-            let answer = if row.is_recorded() {
-                answer_line(&row.answer, &row.tolerance)
+        for (number, question) in self.questions.iter().enumerate() {
+            let QuestionLine {
+                above,
+                arguments,
+                right,
+                ..
+            } = question;
+            let answer = if right.is_recorded() {
+                answer_line(&right.answer, &right.tolerance)
             } else {
                 String::new()
             };
-            let QuestionLine {
-                above, arguments, ..
-            } = question;
             let word = if question.is_simple {
                 "simple"
             } else {
@@ -55,9 +56,9 @@ impl fmt::Display for Record {
                     writeln!(f, "  m{label} {}", answer_line(answer, tolerance))?;
                 }
             }
-            let wrong = mistakes().filter(|(_, it)| it.further_wrong_rows.contains(&number));
+            let wrong = mistakes().filter(|(_, it)| it.further_wrong.contains(&number));
             write_labels(f, "wrong", wrong)?;
-            let either = mistakes().filter(|(_, it)| it.undecided_rows.contains(&number));
+            let either = mistakes().filter(|(_, it)| it.undecided.contains(&number));
             write_labels(f, "either", either)?;
         }
         f.write_str(&self.below)
@@ -78,7 +79,7 @@ fn answer_line(answer: &Answer, tolerance: &Tolerance) -> String {
 fn write_labels<'m>(
     f: &mut fmt::Formatter<'_>,
     word: &str,
-    mistakes: impl Iterator<Item = (usize, &'m Mistake)>,
+    mistakes: impl Iterator<Item = (usize, &'m KnownMistake)>,
 ) -> fmt::Result {
     let mut labels = String::new();
     for (label, _) in mistakes {
@@ -108,19 +109,27 @@ impl Record {
     /// The first question that has no answer yet.
     #[must_use]
     pub fn unanswered(&self) -> Option<&QuestionLine> {
-        let mut questions = self.questions.iter().zip(&self.rows);
-        let (question, _) = questions.find(|(_, row)| !row.is_recorded())?;
-        Some(question)
+        let mut questions = self.questions.iter();
+        questions.find(|question| !question.right.is_recorded())
     }
 
     /// The questions of the file alone, for a program that must not know what is right.
     #[must_use]
     pub fn without_answers(self) -> Self {
         Self {
-            rows: vec![Row::default(); self.rows.len()],
             mistakes: Vec::new(),
-            ..self
+            ..self.with_answers(Vec::new())
         }
+    }
+
+    /// The same questions with these right answers, and none beyond their end.
+    #[must_use]
+    pub fn with_answers(mut self, right_answers: Vec<RightAnswer>) -> Self {
+        let mut right_answers = right_answers.into_iter();
+        for question in &mut self.questions {
+            question.right = right_answers.next().unwrap_or_default();
+        }
+        self
     }
 }
 
@@ -136,24 +145,23 @@ mod tests {
         let answer = Answer::named("a · b", hard)
             .and("again", hard)
             .and("", words);
-        let row = |tolerance| Row {
+        let right = |tolerance| RightAnswer {
             answer: answer.clone(),
             tolerance,
         };
         let asked = Record::read("words the number {}\nsimple 1\nsimple 2\nother 3\n");
         let record = Record {
-            rows: vec![
-                row(Tolerance::Changes(vec![0.0; 10])),
-                row(Tolerance::RoundingDecides),
-                row(Tolerance::Changes([hard, hard].concat())),
-            ],
-            mistakes: vec![Mistake {
+            mistakes: vec![KnownMistake {
                 overlooks: "a = b; 1 ~ 2".to_owned(),
                 answers: [(2, (answer.clone(), Tolerance::RoundingDecides))].into(),
-                further_wrong_rows: [0].into(),
-                undecided_rows: [1].into(),
+                further_wrong: [0].into(),
+                undecided: [1].into(),
             }],
-            ..asked.unwrap()
+            ..asked.unwrap().with_answers(vec![
+                right(Tolerance::Changes(vec![0.0; 10])),
+                right(Tolerance::RoundingDecides),
+                right(Tolerance::Changes([hard, hard].concat())),
+            ])
         };
         assert_eq!(Record::read(&record.to_string()), Ok(record));
     }
@@ -199,11 +207,10 @@ other 0.1 | 4294967295 = \"none\" ~ rounding decides
         // Of an empty list, such as the numbers of a mean, no argument is left.
         let file = FILE.replace("# The end.", "words the mean of {}\nsimple  = 0");
         let record = Record::read(&file).unwrap();
-        let text = record.clone().without_answers().to_string();
+        let asked = record.without_answers();
+        let text = asked.to_string();
         assert!(text.contains("\nsimple 1 1e200 -0\nsimple"), "{text}");
-        let asked = Record::read(&text).unwrap();
-        assert_eq!(asked.questions, record.questions);
-        assert!(!asked.rows.iter().any(Row::is_recorded));
+        assert_eq!(Record::read(&text), Ok(asked));
         let of_empty_list = "words the mean of {}\nsimple\nother\n";
         let record = Record::read(of_empty_list).unwrap();
         assert_eq!(record.to_string(), of_empty_list);
@@ -220,7 +227,9 @@ other 0.1 | 4294967295 = \"none\" ~ rounding decides
         "1 2 x".clone_into(&mut line.arguments);
         assert!(line.read::<Vec<f64>>().is_err());
         for line in ["simple 1", "m1 = 0", "smple 1 2 3"] {
-            let error = Record::read(line).map(|record| record.rows).unwrap_err();
+            let error = Record::read(line)
+                .map(|record| record.questions)
+                .unwrap_err();
             assert!(error.contains("is no line of a record"), "{error}");
         }
     }

@@ -1,26 +1,32 @@
-//! A record with the right answers of changed questions: known mistakes keep the rows that still fit.
+//! A record with the right answers of changed questions: known mistakes keep the answers that still fit.
 
 use std::collections::BTreeSet;
+use std::mem;
 
-use crate::answers::{Record, Row};
+use crate::answers::{Record, RightAnswer};
 
 impl Record {
     /// This record with these right answers to its questions. How the known mistakes answer a question
-    /// whose right answer was another one, or none, is not known. Messages say which mistakes lose rows.
+    /// whose right answer was another one, or none, is not known. Messages say which mistakes lose answers.
     #[must_use]
-    pub fn with_rows(self, rows: Vec<Row>) -> (Self, Vec<String>) {
+    pub fn renewed(self, right_answers: Vec<RightAnswer>) -> (Self, Vec<String>) {
         let mut new = BTreeSet::new();
-        for (number, (old, row)) in self.rows.iter().zip(&rows).enumerate() {
-            if matches!(row.difference(&old.answer), Ok(Some(_))) {
+        for (number, (old, right)) in self.questions.iter().zip(&right_answers).enumerate() {
+            if matches!(right.difference(&old.right.answer), Ok(Some(_))) {
                 new.insert(number);
             }
         }
-        let (mut mistakes, mut messages) = (Vec::new(), Vec::new());
-        for mut mistake in self.mistakes {
-            let before = mistake.wrong_rows();
-            mistake.answers.retain(|row, _| !new.contains(row));
-            mistake.further_wrong_rows.retain(|row| !new.contains(row));
-            let (overlooks, lost) = (&mistake.overlooks, before - mistake.wrong_rows());
+        let mut renewed = self.with_answers(right_answers);
+        let mut messages = Vec::new();
+        for mut mistake in mem::take(&mut renewed.mistakes) {
+            let before = mistake.wrong_count();
+            mistake
+                .answers
+                .retain(|question, _| !new.contains(question));
+            mistake
+                .further_wrong
+                .retain(|question| !new.contains(question));
+            let (overlooks, lost) = (&mistake.overlooks, before - mistake.wrong_count());
             if mistake.answers.is_empty() {
                 messages.push(format!(
                     "the mistake that overlooks that {overlooks} is dropped, because no answer of it fits \
@@ -35,14 +41,9 @@ impl Record {
                      are dropped"
                 ));
             }
-            mistake.undecided_rows.extend(&new);
-            mistakes.push(mistake);
+            mistake.undecided.extend(&new);
+            renewed.mistakes.push(mistake);
         }
-        let renewed = Self {
-            rows,
-            mistakes,
-            ..self
-        };
         (renewed, messages)
     }
 }
@@ -65,8 +66,8 @@ simple 2 = 2
 
     /// The record with these right answers.
     fn renewed(numbers: [f64; 3]) -> (Record, Vec<String>) {
-        let rows = numbers.map(|number| Row::default().with_answer(number.into()));
-        Record::read(FILE).unwrap().with_rows(rows.into())
+        let right = numbers.map(|number| RightAnswer::default().with_answer(number.into()));
+        Record::read(FILE).unwrap().renewed(right.into())
     }
 
     #[test]
@@ -79,7 +80,7 @@ simple 2 = 2
         });
         let known = verdict(&record, &given).known.unwrap();
         assert!(known.ends_with("that a sign is kept"), "{known}");
-        assert_eq!(record.mistakes[0].undecided_rows, [1].into());
+        assert_eq!(record.mistakes[0].undecided, [1].into());
     }
 
     #[test]

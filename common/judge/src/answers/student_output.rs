@@ -1,6 +1,6 @@
 //! The output of the program of a check: its words to a student, and the answers to a grader.
 
-use crate::answers::{Painted, Record, Row, StudentAnswer, text};
+use crate::answers::{Painted, Record, RightAnswer, StudentAnswer, text};
 
 /// Sets the answers apart from what a program prints besides, which is before it.
 pub const MARK: char = '\u{1c}';
@@ -54,11 +54,13 @@ pub fn read_answers(output: &str) -> (Vec<StudentAnswer>, Option<Painted>) {
     (answers, None)
 }
 
-/// The record of its answers in the output of a program.
+/// The answers in the record that a program has printed for its author, as right ones.
 #[must_use]
-pub fn read_rows(output: &str) -> Vec<Row> {
+pub fn read_right_answers(output: &str) -> Vec<RightAnswer> {
     let (_, text) = output.rsplit_once(MARK).unwrap_or_default();
-    Record::read(text).unwrap_or_default().rows
+    let record = Record::read(text).unwrap_or_default();
+    let questions = record.questions.into_iter();
+    questions.map(|question| question.right).collect()
 }
 
 fn read_answer(question: &str, answer: &str) -> Option<StudentAnswer> {

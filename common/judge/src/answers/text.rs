@@ -6,6 +6,7 @@ use std::num::ParseFloatError;
 use common::text::number;
 
 use crate::answers::answer::{Part, Value};
+use crate::answers::input::take_quoted;
 use crate::answers::{Answer, Tolerance};
 
 /// Between the parts of an answer, between name and value, and before a tolerance.
@@ -30,26 +31,6 @@ pub fn read_numbers(text: &str) -> Result<Vec<f64>, ParseFloatError> {
 fn quoted(words: &str) -> String {
     let words = words.replace('\\', "\\\\").replace('"', "\\\"");
     format!("\"{}\"", words.replace('\n', "\\n"))
-}
-
-/// Takes words in quotes from the beginning of a text.
-pub fn take_quoted(text: &mut &str) -> Option<String> {
-    let mut words = String::new();
-    let mut letters = text.strip_prefix('"')?.chars();
-    loop {
-        match letters.next()? {
-            '"' => break,
-            '\\' => words.push(match letters.next()? {
-                'n' => '\n',
-                'r' => '\r',
-                't' => '\t',
-                escaped => escaped,
-            }),
-            letter => words.push(letter),
-        }
-    }
-    *text = letters.as_str();
-    Some(words)
 }
 
 /// An answer, such as `t = 3; normal = 0 0 1` or `"no hit"`. A value that is equal to the one

@@ -2,8 +2,8 @@
 
 use std::cmp::Reverse;
 
-use crate::answers::row::NoSingleAnswer;
-use crate::answers::{Answer, Mistake, Record, Row};
+use crate::answers::tolerance::NoSingleAnswer;
+use crate::answers::{Answer, KnownMistake, Record, RightAnswer};
 
 /// A student's answer to a question.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,9 +52,9 @@ pub fn verdict(record: &Record, yours: &[StudentAnswer]) -> Verdict {
     let mut first = None;
     let mut first_panic = None;
     let mut answers = Vec::new();
-    for (number, row) in record.rows.iter().enumerate() {
+    for (number, question) in record.questions.iter().enumerate() {
         let given = yours.get(number);
-        let Ok(difference) = difference(row, given) else {
+        let Ok(difference) = difference(&question.right, given) else {
             answers.push(None);
             continue;
         };
@@ -72,8 +72,8 @@ pub fn verdict(record: &Record, yours: &[StudentAnswer]) -> Verdict {
         }
         answers.push(answer.map(|answer| (answer, difference.is_some())));
     }
-    let rows = record.rows.len();
-    if yours.len() > rows {
+    let asked = record.questions.len();
+    if yours.len() > asked {
         found.compared += 1;
         found.differ += 1;
         first.get_or_insert_with(|| "the recorded answers are incomplete".to_owned());
@@ -85,28 +85,31 @@ pub fn verdict(record: &Record, yours: &[StudentAnswer]) -> Verdict {
         let count = format!("{differ} of {compared} comparisons differ");
         found.wrong.push(count);
         found.known = recognized(&record.mistakes, &answers, differ);
-    } else if 2 * compared <= rows {
+    } else if 2 * compared <= asked {
         found.wrong.push("nothing is compared".to_owned());
     }
     found
 }
 
-/// The first value in which an answer differs from the right one of a row, and what it must be.
-fn difference(row: &Row, given: Option<&StudentAnswer>) -> Result<Option<String>, NoSingleAnswer> {
+/// The first value in which an answer differs from the right one, and what it must be.
+fn difference(
+    right: &RightAnswer,
+    given: Option<&StudentAnswer>,
+) -> Result<Option<String>, NoSingleAnswer> {
     let Some(given) = given else {
         return Ok(Some(
             "there is no answer; the program ends before".to_owned(),
         ));
     };
     match &given.answer {
-        Some(answer) => row.difference(answer),
+        Some(answer) => right.difference(answer),
         None => Ok(Some("it panics, with the message above".to_owned())),
     }
 }
 
 /// A sentence about the mistake that explains most of the wrong answers, and at least half.
 fn recognized(
-    mistakes: &[Mistake],
+    mistakes: &[KnownMistake],
     answers: &[Option<(Answer, bool)>],
     differ: usize,
 ) -> Option<String> {

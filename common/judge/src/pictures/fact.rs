@@ -3,8 +3,9 @@
 
 mod read;
 
-use crate::pictures::measure::{Channel, Exact, Measure};
-use crate::pictures::sheet::Run;
+use crate::pictures::quantity::{Exact, Quantity};
+use crate::pictures::run::Run;
+use crate::pictures::values::Channel;
 
 /// What a picture must show.
 #[derive(Debug)]
@@ -16,7 +17,7 @@ pub struct Fact {
     /// The picture, whose copy is marked: of several the last.
     pub(crate) run: Run,
     pub(crate) channel: Option<Channel>,
-    pub(crate) measure: Measure,
+    pub(crate) quantity: Quantity,
     /// The right value.
     pub value: f64,
     /// The formula of the right value.
@@ -38,17 +39,17 @@ impl Fact {
 
     /// The runs that the fact needs, in the order in which their pictures are drawn.
     pub(crate) fn runs(&self) -> Vec<&Run> {
-        let mut runs = match &self.measure {
-            Measure::Growth { runs, .. } | Measure::Slope { runs, .. } => runs.iter().collect(),
+        let mut runs = match &self.quantity {
+            Quantity::Growth { runs, .. } | Quantity::Slope { runs, .. } => runs.iter().collect(),
             _ => vec![&self.run],
         };
-        match &self.measure {
-            Measure::Same(other)
-            | Measure::Spread {
+        match &self.quantity {
+            Quantity::Same(other)
+            | Quantity::Spread {
                 exact: Exact::Run(other),
                 ..
             }
-            | Measure::Slope {
+            | Quantity::Slope {
                 exact: Exact::Run(other),
                 ..
             } => runs.push(other),

@@ -1,4 +1,4 @@
-//! `judge`: asks the pictures of a program the facts of a sheet, one after the other.
+//! `Judgement`: what the pictures of a program say when they are asked the facts of a sheet, one after the other.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -6,9 +6,11 @@ use std::path::PathBuf;
 use common::{Image, picture_file, text};
 
 use crate::pictures::fact::Fact;
-use crate::pictures::measure::{Exact, Measure, Region, Values, different, growth};
-use crate::pictures::sheet::{Picture, Run, Sheet};
-use crate::pictures::slope::{Point, Slope};
+use crate::pictures::fitted_slope::{FittedSlope, Point};
+use crate::pictures::quantity::{Exact, Quantity};
+use crate::pictures::run::Run;
+use crate::pictures::sheet::{RequestedPicture, Sheet};
+use crate::pictures::values::{Region, Values, different, growth};
 
 /// A picture that the program has written.
 #[derive(Debug)]
@@ -32,24 +34,24 @@ pub enum Facts {
 #[derive(Debug)]
 pub enum State {
     /// The right value.
-    Right(Answer),
+    Right(MeasuredValue),
     /// Another value.
-    Wrong(Answer),
+    Wrong(MeasuredValue),
     /// Nothing could be measured; the sentence says why.
-    NoAnswer(String),
+    NotMeasured(String),
     /// An earlier fact has failed.
     NotAsked,
 }
 
-/// What is measured.
+/// The value of a fact in the pictures, and what is said about it.
 #[derive(Debug, Default)]
-pub struct Answer {
+pub struct MeasuredValue {
     pub(crate) value: f64,
     /// Where pixels differ.
     pub(crate) different: Option<Region>,
     /// The errors behind a slope.
     pub(crate) points: Vec<Point>,
-    pub(crate) slope: Option<Slope>,
+    pub(crate) slope: Option<FittedSlope>,
 }
 
 /// A picture that is opened.
@@ -74,10 +76,10 @@ pub struct Judgement<'a> {
 
 /// Asks the facts. `draw` runs the program and says where its picture is; its error is a sentence about the
 /// program.
-pub fn judge<'a>(
+pub fn ask_facts<'a>(
     sheet: &'a Sheet,
     facts: Facts,
-    draw: &mut dyn FnMut(&Picture, &Run) -> Result<Drawn, String>,
+    draw: &mut dyn FnMut(&RequestedPicture, &Run) -> Result<Drawn, String>,
 ) -> Judgement<'a> {
     let mut judgement = Judgement {
         sheet,
@@ -106,7 +108,7 @@ impl Judgement<'_> {
                 right.push(fact);
             }
         }
-        if right.iter().any(|fact| fact.measure.needs_two_colors()) {
+        if right.iter().any(|fact| fact.quantity.needs_two_colors()) {
             right.len()
         } else {
             0
@@ -116,7 +118,7 @@ impl Judgement<'_> {
     /// The first fact that does not hold.
     #[must_use]
     pub fn first_failure(&self) -> Option<&Fact> {
-        let failed = |state: &State| matches!(state, State::Wrong(_) | State::NoAnswer(_));
+        let failed = |state: &State| matches!(state, State::Wrong(_) | State::NotMeasured(_));
         let place = self.states.iter().position(failed)?;
         self.sheet.facts.get(place)
     }
@@ -128,7 +130,7 @@ impl Judgement<'_> {
             return 0.0;
         };
         match self.state(fact) {
-            State::Wrong(answer) => (answer.value - fact.value).abs() / fact.within,
+            State::Wrong(measured) => (measured.value - fact.value).abs() / fact.within,
             _ => f64::INFINITY,
         }
     }
@@ -141,7 +143,11 @@ impl Judgement<'_> {
     }
 
     /// Draws the pictures of a fact that are not there yet. A scene of which one run has failed is not run again.
-    fn draw(&mut self, fact: &Fact, draw: &mut dyn FnMut(&Picture, &Run) -> Result<Drawn, String>) {
+    fn draw(
+        &mut self,
+        fact: &Fact,
+        draw: &mut dyn FnMut(&RequestedPicture, &Run) -> Result<Drawn, String>,
+    ) {
         for run in fact.runs() {
             let is_same = |other: &&Run| other.scene == run.scene;
             let failed = |other: &Run| self.pictures[other].is_err();
@@ -179,9 +185,9 @@ impl Judgement<'_> {
     /// Asks a fact whose pictures are drawn.
     fn ask(&self, fact: &Fact) -> State {
         match self.measure(fact) {
-            Ok(answer) if fact.is_right(answer.value) => State::Right(answer),
-            Ok(answer) => State::Wrong(answer),
-            Err(problem) => State::NoAnswer(problem),
+            Ok(measured) if fact.is_right(measured.value) => State::Right(measured),
+            Ok(measured) => State::Wrong(measured),
+            Err(problem) => State::NotMeasured(problem),
         }
     }
 
@@ -193,7 +199,7 @@ impl Judgement<'_> {
         })
     }
 
-    fn measure(&self, fact: &Fact) -> Result<Answer, String> {
+    fn measure(&self, fact: &Fact) -> Result<MeasuredValue, String> {
         // The first picture that is missing is the reason, whichever picture is measured first.
         for run in fact.runs() {
             self.opened(run)?;
@@ -212,49 +218,49 @@ impl Judgement<'_> {
                 }
             })
         };
-        let mut answer = Answer::default();
+        let mut measured = MeasuredValue::default();
         let of_fact = values(&fact.run)?;
-        answer.value = match &fact.measure {
-            Measure::Mean(region) => of_fact.mean(*region),
-            Measure::Greatest(region) => of_fact.greatest(*region),
-            Measure::Least(region) => of_fact.least(*region),
-            Measure::Alike(region) => of_fact.alike(*region),
-            Measure::Edge(line) => line.edge(&of_fact)?,
-            Measure::Width(line) => line.width(&of_fact)?,
-            Measure::Spread { region, exact } => spread(&fact.run, *region, exact)?,
-            Measure::Same(other) => {
+        measured.value = match &fact.quantity {
+            Quantity::Mean(region) => of_fact.mean(*region),
+            Quantity::Greatest(region) => of_fact.greatest(*region),
+            Quantity::Least(region) => of_fact.least(*region),
+            Quantity::Alike(region) => of_fact.alike(*region),
+            Quantity::Edge(line) => line.edge(&of_fact)?,
+            Quantity::Width(line) => line.width(&of_fact)?,
+            Quantity::Spread { region, exact } => spread(&fact.run, *region, exact)?,
+            Quantity::Same(other) => {
                 let (count, around) = different(of_fact.image, &self.opened(other)?.image);
-                answer.different = around;
+                measured.different = around;
                 count as f64
             }
-            Measure::Growth { region, runs } => {
+            Quantity::Growth { region, runs } => {
                 let mean = |run| Ok(values(run)?.mean(*region));
                 growth(&runs.iter().map(mean).collect::<Result<Vec<_>, String>>()?)
             }
-            Measure::Slope {
+            Quantity::Slope {
                 region,
                 exact,
                 axis,
                 runs,
             } => {
                 for run in runs {
-                    answer.points.push(Point {
+                    measured.points.push(Point {
                         samples: run.samples,
                         seconds: self.opened(run)?.drawn.seconds,
                         error: spread(run, *region, exact)?,
                     });
                 }
-                let slope = Slope::through(&answer.points, *axis)?;
-                answer.slope = Some(slope);
+                let slope = FittedSlope::through(&measured.points, *axis)?;
+                measured.slope = Some(slope);
                 slope.slope
             }
         };
-        Ok(answer)
+        Ok(measured)
     }
 }
 
 /// Opens a picture, which must have the size that the sheet says.
-fn open(picture: &Picture, drawn: Drawn) -> Result<Opened, String> {
+fn open(picture: &RequestedPicture, drawn: Drawn) -> Result<Opened, String> {
     let image = picture_file::open(&drawn.file).map_err(|error| error.to_string())?;
     if image.size() != picture.size {
         let file = text::path(&drawn.file);

@@ -2,7 +2,7 @@
 
 use common::Size;
 
-use crate::pictures::measure::Values;
+use crate::pictures::values::Values;
 
 /// The least difference between the ends of an edge: 2 of 255 bytes are noise of rounding.
 const MIN_STEP: f64 = 2.5 / 255.0;

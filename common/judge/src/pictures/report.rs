@@ -5,12 +5,13 @@ use std::fmt::Write;
 use common::text;
 
 use crate::pictures::fact::Fact;
-use crate::pictures::judgement::{Answer, Judgement, State};
+use crate::pictures::fitted_slope::Axis;
+use crate::pictures::judgement::{Judgement, MeasuredValue, State};
 use crate::pictures::line::Line;
-use crate::pictures::marked::mark;
-use crate::pictures::measure::{Channel, Exact, Measure, Region};
-use crate::pictures::sheet::Run;
-use crate::pictures::slope::Axis;
+use crate::pictures::marked_copy::mark;
+use crate::pictures::quantity::{Exact, Quantity};
+use crate::pictures::run::Run;
+use crate::pictures::values::{Channel, Region};
 
 /// The significant digits of a measured value.
 const DIGITS: usize = 6;
@@ -26,8 +27,8 @@ impl Judgement<'_> {
         }
         report += &self.list();
         for (fact, state) in self.sheet.facts.iter().zip(&self.states) {
-            if let State::Right(answer) | State::Wrong(answer) = state
-                && let Some(table) = table(fact, answer)
+            if let State::Right(measured) | State::Wrong(measured) = state
+                && let Some(table) = table(fact, measured)
             {
                 report.extend(["\n", &table]);
             }
@@ -42,7 +43,7 @@ impl Judgement<'_> {
             return String::new();
         };
         match self.state(fact) {
-            State::NoAnswer(problem) => format!("{}: {problem}", fact.name),
+            State::NotMeasured(problem) => format!("{}: {problem}", fact.name),
             _ => format!("{}: {}", fact.name, fact.says),
         }
     }
@@ -56,16 +57,16 @@ impl Judgement<'_> {
         let mut lines = vec![format!("{}: not yet", fact.name)];
         let mut add = |name: &str, words: &str| lines.push(format!("  {name:9} {words}"));
         add("fact", &fact.says);
-        let answer = match self.state(fact) {
-            State::Right(answer) | State::Wrong(answer) => Some(answer),
-            State::NoAnswer(_) | State::NotAsked => None,
+        let measured = match self.state(fact) {
+            State::Right(measured) | State::Wrong(measured) => Some(measured),
+            State::NotMeasured(_) | State::NotAsked => None,
         };
-        if let State::NoAnswer(problem) = self.state(fact) {
+        if let State::NotMeasured(problem) = self.state(fact) {
             add("problem", problem);
         }
-        if let Some(answer) = answer {
-            let value = text::rounded(answer.value, DIGITS);
-            let value = value + &in_picture(fact, answer.value);
+        if let Some(measured) = measured {
+            let value = text::rounded(measured.value, DIGITS);
+            let value = value + &in_picture(fact, measured.value);
             add("measured", &format!("{value}: {}", fact.in_words()));
         }
         // Without a picture, the right value would distract from the problem.
@@ -80,7 +81,7 @@ impl Judgement<'_> {
         add("within", &format!("{within}, because {because}"));
         add("hint", &fact.hint);
         add("picture", &text::path(&opened.drawn.file));
-        match mark(self, fact, answer) {
+        match mark(self, fact, measured) {
             Ok(Some(marked)) => {
                 add(
                     "marked",
@@ -100,7 +101,7 @@ impl Judgement<'_> {
         for (fact, state) in self.sheet.facts.iter().zip(&self.states) {
             let word = match state {
                 State::Right(_) => "ok",
-                State::Wrong(_) | State::NoAnswer(_) => "not",
+                State::Wrong(_) | State::NotMeasured(_) => "not",
                 State::NotAsked => "not asked",
             };
             let _ = writeln!(list, "{word:9}  {:longest$}  {}", fact.name, fact.says);
@@ -139,16 +140,16 @@ impl Fact {
             Exact::Columns(_) => "root mean square difference from exact columns".to_owned(),
             Exact::Run(run) => format!("root mean square difference from {}", run.words()),
         };
-        let words = match &self.measure {
-            Measure::Mean(region) => of("mean", region),
-            Measure::Greatest(region) => of("greatest value", region),
-            Measure::Least(region) => of("least value", region),
-            Measure::Alike(region) => of("share of pixels like the pixel below", region),
-            Measure::Edge(line) => on("pixels from the beginning to the edge", line),
-            Measure::Width(line) => on("pixels between 10 % and 90 % of the step", line),
-            Measure::Spread { region, exact } => of(&error(exact), region),
-            Measure::Same(other) => format!("pixels that differ from {}", other.words()),
-            Measure::Growth { region, runs } => {
+        let words = match &self.quantity {
+            Quantity::Mean(region) => of("mean", region),
+            Quantity::Greatest(region) => of("greatest value", region),
+            Quantity::Least(region) => of("least value", region),
+            Quantity::Alike(region) => of("share of pixels like the pixel below", region),
+            Quantity::Edge(line) => on("pixels from the beginning to the edge", line),
+            Quantity::Width(line) => on("pixels between 10 % and 90 % of the step", line),
+            Quantity::Spread { region, exact } => of(&error(exact), region),
+            Quantity::Same(other) => format!("pixels that differ from {}", other.words()),
+            Quantity::Growth { region, runs } => {
                 let runs: Vec<_> = runs.iter().map(Run::words).collect();
                 let steps = "greatest difference between the steps of the mean";
                 format!(
@@ -157,7 +158,7 @@ impl Fact {
                     runs.join("; ")
                 )
             }
-            Measure::Slope {
+            Quantity::Slope {
                 region,
                 exact,
                 axis,
@@ -183,14 +184,14 @@ impl Fact {
 
 /// The value as a program that shows pictures has it: a byte, or a point.
 fn in_picture(fact: &Fact, value: f64) -> String {
-    match &fact.measure {
-        Measure::Mean(_) | Measure::Greatest(_) | Measure::Least(_) => {
+    match &fact.quantity {
+        Quantity::Mean(_) | Quantity::Greatest(_) | Quantity::Least(_) => {
             format!(
                 " (byte {})",
                 text::rounded((value * 2550.0).round() / 10.0, 4)
             )
         }
-        Measure::Edge(line) => {
+        Quantity::Edge(line) => {
             let [x, y] = line.point(value, 0.0);
             format!(" (at {x:.1}, {y:.1})")
         }
@@ -199,11 +200,11 @@ fn in_picture(fact: &Fact, value: f64) -> String {
 }
 
 /// The errors of a slope beside samples and run time.
-fn table(fact: &Fact, answer: &Answer) -> Option<String> {
-    let slope = answer.slope?;
+fn table(fact: &Fact, measured: &MeasuredValue) -> Option<String> {
+    let slope = measured.slope?;
     let mut table = format!("{}: error against samples and run time\n", fact.name);
     table += "   samples   seconds     error\n";
-    for point in &answer.points {
+    for point in &measured.points {
         let (samples, seconds) = (point.samples, point.seconds);
         let _ = writeln!(table, "{samples:>10}{seconds:>10.2}{:>10.5}", point.error);
     }

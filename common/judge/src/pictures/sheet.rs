@@ -4,6 +4,7 @@ use common::Size;
 use common::row::{self, Row};
 
 use crate::pictures::fact::Fact;
+use crate::pictures::run::Run;
 
 /// The longest time of a run, unless the sheet says another.
 const SECONDS: u32 = 60;
@@ -22,14 +23,14 @@ pub struct Sheet {
     /// Exercises whose functions move into the student's program, once they are done.
     pub steps: Vec<String>,
     /// The pictures that the student's program draws.
-    pub pictures: Vec<Picture>,
+    pub pictures: Vec<RequestedPicture>,
     /// The facts, in the order in which they are asked.
     pub facts: Vec<Fact>,
 }
 
 /// A scene that the student's program draws, once for each number of samples.
 #[derive(Debug)]
-pub struct Picture {
+pub struct RequestedPicture {
     /// The name of the scene.
     pub scene: String,
     /// The numbers of samples.
@@ -38,30 +39,6 @@ pub struct Picture {
     pub size: Size,
     /// The longest time of a run, in seconds.
     pub seconds: u32,
-}
-
-/// One run of the student's program.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Run {
-    /// The scene.
-    pub scene: String,
-    /// The number of samples.
-    pub samples: u32,
-}
-
-impl Run {
-    /// The name of the picture's file.
-    #[must_use]
-    pub fn file(&self) -> String {
-        format!("{}-{}.png", self.scene, self.samples)
-    }
-
-    /// The scene and the samples in words.
-    #[must_use]
-    pub fn words(&self) -> String {
-        let plural = if self.samples == 1 { "" } else { "s" };
-        format!("{}, {} sample{plural}", self.scene, self.samples)
-    }
 }
 
 impl Sheet {
@@ -83,7 +60,7 @@ impl Sheet {
             facts: Vec::new(),
         };
         for row in row.rows("picture")? {
-            let picture = Picture::read(&row)?;
+            let picture = RequestedPicture::read(&row)?;
             if sheet.picture(&picture.scene).is_some() {
                 return Err(row.error("scene", "is that of an earlier picture"));
             }
@@ -101,12 +78,12 @@ impl Sheet {
     }
 
     /// The picture of a scene.
-    pub(crate) fn picture(&self, scene: &str) -> Option<&Picture> {
+    pub(crate) fn picture(&self, scene: &str) -> Option<&RequestedPicture> {
         self.pictures.iter().find(|picture| picture.scene == scene)
     }
 }
 
-impl Picture {
+impl RequestedPicture {
     fn read(row: &Row) -> Result<Self, String> {
         let scene: String = row.get("scene")?;
         let is_plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '-';

@@ -10,7 +10,7 @@ use crate::files::with_path;
 use crate::output::OutputReader;
 use crate::phase::{Phase, Watcher};
 use crate::process::{limited, run};
-use judge::pictures::{Drawn, MARKED, Picture, Run, last_words, no_picture};
+use judge::pictures::{Drawn, MARKED_EXTENSION, RequestedPicture, Run, last_words, no_picture};
 
 /// The student's program.
 pub struct OwnProgram {
@@ -28,11 +28,16 @@ pub struct OwnProgram {
 
 impl OwnProgram {
     /// Draws a picture. The error is a sentence about the program.
-    pub fn draw(&self, picture: &Picture, of: &Run, watcher: Watcher) -> Result<Drawn, String> {
+    pub fn draw(
+        &self,
+        picture: &RequestedPicture,
+        of: &Run,
+        watcher: Watcher,
+    ) -> Result<Drawn, String> {
         let file = self.pictures.join(of.file());
         let whole = absolute(&file).map_err(with_path(&file))?;
         // Nothing of an earlier run shall look like this one's.
-        for old in [&file, &file.with_extension(MARKED)] {
+        for old in [&file, &file.with_extension(MARKED_EXTENSION)] {
             match fs::remove_file(old) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => {
                     return Err(with_path(old)(error));

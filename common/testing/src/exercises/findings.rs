@@ -8,7 +8,7 @@ use common::difference::{
 };
 use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
-use judge::answers::{Answer, Painted, Record, Row, StudentAnswer, Verdict, verdict};
+use judge::answers::{Answer, Painted, Record, RightAnswer, StudentAnswer, Verdict, verdict};
 
 use super::exercise::{AnswerTo, Exercise, Picture, own_settings};
 use super::folder::StageFolder;
@@ -49,15 +49,15 @@ struct Comparison {
 }
 
 impl Exercise<()> {
-    /// The rows of its answers. Where the code panics, its answer is none.
+    /// Its answers as right ones. Where the code panics, its answer is none.
     #[must_use]
-    pub fn rows(&self) -> Vec<Row> {
-        let mut rows = Vec::new();
+    pub fn right_answers(&self) -> Vec<RightAnswer> {
+        let mut answers = Vec::new();
         for asked in &self.questions {
             let code = |input: &[f64]| answer_of(&asked.answer, input).unwrap_or_default();
-            rows.push(Row::new(&asked.question, &code));
+            answers.push(RightAnswer::new(&asked.question, &code));
         }
-        rows
+        answers
     }
 
     /// Its answers to all questions.

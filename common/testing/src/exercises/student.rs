@@ -102,11 +102,9 @@ fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
     }
     if mode == Mode::Mistake {
         record_picture(folder, &exercise);
-        let rows = exercise.rows();
         let record = Record {
-            rows,
             mistakes: Vec::new(),
-            ..record
+            ..record.with_answers(exercise.right_answers())
         };
         print!("{MARK}{record}");
     }

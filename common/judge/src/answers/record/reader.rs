@@ -1,6 +1,6 @@
 //! `Reader`: reads the lines of an exercise's file, of which each says more of the line above it.
 
-use crate::answers::{Answer, Mistake, QuestionLine, Record, Row, Tolerance, text};
+use crate::answers::{Answer, KnownMistake, QuestionLine, Record, RightAnswer, Tolerance, text};
 
 /// What the lines so far say.
 #[derive(Default)]
@@ -26,9 +26,9 @@ impl Reader {
             "mistake" => {
                 let (label, overlooks) = rest.split_once(' ')?;
                 self.labels.push(label.to_owned());
-                record.mistakes.push(Mistake {
+                record.mistakes.push(KnownMistake {
                     overlooks: overlooks.to_owned(),
-                    ..Mistake::default()
+                    ..KnownMistake::default()
                 });
             }
             "words" => {
@@ -40,39 +40,39 @@ impl Reader {
                 let (arguments, answer) = rest.split_once(" = ").unwrap_or((rest, ""));
                 next.is_simple = word == "simple";
                 arguments.trim().clone_into(&mut next.arguments);
-                record.rows.push(Row::read(answer)?);
+                next.right = RightAnswer::read(answer)?;
                 record.questions.push(next.clone());
                 next.above.clear();
             }
             "wrong" | "either" => {
-                let row = record.rows.len().checked_sub(1)?;
+                let question = record.questions.len().checked_sub(1)?;
                 for label in rest.split(' ') {
                     let mistake = self.mistake(label)?;
-                    let rows = match word {
-                        "wrong" => &mut mistake.further_wrong_rows,
-                        _ => &mut mistake.undecided_rows,
+                    let questions = match word {
+                        "wrong" => &mut mistake.further_wrong,
+                        _ => &mut mistake.undecided,
                     };
-                    rows.insert(row);
+                    questions.insert(question);
                 }
             }
             label => {
-                let row = record.rows.len().checked_sub(1)?;
+                let question = record.questions.len().checked_sub(1)?;
                 let answer = read_answer(rest.strip_prefix("= ")?)?;
-                self.mistake(label)?.answers.insert(row, answer);
+                self.mistake(label)?.answers.insert(question, answer);
             }
         }
         Some(())
     }
 
     /// The mistake of a label.
-    fn mistake(&mut self, label: &str) -> Option<&mut Mistake> {
+    fn mistake(&mut self, label: &str) -> Option<&mut KnownMistake> {
         let number = self.labels.iter().position(|known| known == label)?;
         self.record.mistakes.get_mut(number)
     }
 }
 
-impl Row {
-    /// The row of a question, with no answer where none is written.
+impl RightAnswer {
+    /// The right answer to a question; none where none is written.
     fn read(written: &str) -> Option<Self> {
         if written.is_empty() {
             return Some(Self::default());

@@ -4,10 +4,41 @@ use common::Size;
 use common::row::{DeValue, Row, Value};
 
 use super::Fact;
+use crate::pictures::fitted_slope::Axis;
 use crate::pictures::line::Line;
-use crate::pictures::measure::{Channel, Exact, Measure, Region};
-use crate::pictures::sheet::{Picture, Run, Sheet};
-use crate::pictures::slope::Axis;
+use crate::pictures::quantity::{Exact, Quantity};
+use crate::pictures::run::Run;
+use crate::pictures::sheet::{RequestedPicture, Sheet};
+use crate::pictures::values::{Channel, Region};
+
+/// What a fact measures, without the places where.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Mean,
+    Greatest,
+    Least,
+    Alike,
+    Edge,
+    Width,
+    Spread,
+    Same,
+    Growth,
+    Slope,
+}
+
+/// The words for it in a sheet.
+const KINDS: [(&str, Kind); 10] = [
+    ("mean", Kind::Mean),
+    ("greatest", Kind::Greatest),
+    ("least", Kind::Least),
+    ("alike", Kind::Alike),
+    ("edge", Kind::Edge),
+    ("width", Kind::Width),
+    ("spread", Kind::Spread),
+    ("same", Kind::Same),
+    ("growth", Kind::Growth),
+    ("slope", Kind::Slope),
+];
 
 impl Fact {
     pub(crate) fn read(row: &Row, sheet: &Sheet) -> Result<Self, String> {
@@ -15,10 +46,11 @@ impl Fact {
         if name.contains(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_') {
             return Err(row.error("name", "must be one word"));
         }
-        let run = run(row, sheet)?;
+        let kind = kind(row)?;
+        let run = run(row, kind, sheet)?;
         let size = picture(row, "scene", sheet, &run.scene)?.size;
         let fact = Self {
-            measure: measure(row, sheet, size)?,
+            quantity: quantity(row, kind, sheet, size)?,
             name,
             run,
             says: row.get("says")?,
@@ -40,14 +72,28 @@ impl Fact {
     }
 }
 
+fn kind(row: &Row) -> Result<Kind, String> {
+    let word: String = row.get("measure")?;
+    let known = KINDS.iter().find(|(known, _)| *known == word);
+    known.map(|(_, kind)| *kind).ok_or_else(|| {
+        let known = KINDS.map(|(known, _)| known).join(", ");
+        row.error("measure", &format!("is {word}; it must be one of {known}"))
+    })
+}
+
 /// The picture of a scene that a key names.
-fn picture<'a>(row: &Row, key: &str, sheet: &'a Sheet, scene: &str) -> Result<&'a Picture, String> {
+fn picture<'a>(
+    row: &Row,
+    key: &str,
+    sheet: &'a Sheet,
+    scene: &str,
+) -> Result<&'a RequestedPicture, String> {
     let unknown = || row.error(key, &format!("names no scene of a picture: {scene}"));
     sheet.picture(scene).ok_or_else(unknown)
 }
 
 /// The run of a number of samples.
-fn run_of(row: &Row, picture: &Picture, samples: u32) -> Result<Run, String> {
+fn run_of(row: &Row, picture: &RequestedPicture, samples: u32) -> Result<Run, String> {
     if picture.samples.contains(&samples) {
         Ok(picture.run(samples))
     } else {
@@ -57,9 +103,8 @@ fn run_of(row: &Row, picture: &Picture, samples: u32) -> Result<Run, String> {
 }
 
 /// The run of the picture that the fact is about.
-fn run(row: &Row, sheet: &Sheet) -> Result<Run, String> {
-    let measure: String = row.get("measure")?;
-    if let "growth" | "slope" = &*measure {
+fn run(row: &Row, kind: Kind, sheet: &Sheet) -> Result<Run, String> {
+    if let Kind::Growth | Kind::Slope = kind {
         let mut runs = runs(row, sheet)?;
         return runs.pop().ok_or_else(|| row.error("samples", "is empty"));
     }
@@ -98,57 +143,52 @@ fn runs(row: &Row, sheet: &Sheet) -> Result<Vec<Run>, String> {
 }
 
 /// What is measured in a picture of this size.
-fn measure(row: &Row, sheet: &Sheet, size: Size) -> Result<Measure, String> {
-    let measure: String = row.get("measure")?;
-    Ok(match &*measure {
-        "mean" => Measure::Mean(region(row, size)?),
-        "greatest" => Measure::Greatest(region(row, size)?),
-        "least" => Measure::Least(region(row, size)?),
-        "alike" => {
+fn quantity(row: &Row, kind: Kind, sheet: &Sheet, size: Size) -> Result<Quantity, String> {
+    Ok(match kind {
+        Kind::Mean => Quantity::Mean(region(row, size)?),
+        Kind::Greatest => Quantity::Greatest(region(row, size)?),
+        Kind::Least => Quantity::Least(region(row, size)?),
+        Kind::Alike => {
             let region = region(row, size)?;
             if region.height < 2 {
                 return Err(row.error("region", "must have two rows or more"));
             }
-            Measure::Alike(region)
+            Quantity::Alike(region)
         }
-        "edge" => Measure::Edge(line(row, size)?),
-        "width" => Measure::Width(line(row, size)?),
-        "spread" => {
+        Kind::Edge => Quantity::Edge(line(row, size)?),
+        Kind::Width => Quantity::Width(line(row, size)?),
+        Kind::Spread => {
             let region = region(row, size)?;
-            Measure::Spread {
+            Quantity::Spread {
                 region,
                 exact: exact(row, sheet, size, region)?,
             }
         }
-        "same" => Measure::Same(same_size(
+        Kind::Same => Quantity::Same(same_size(
             row,
             "as",
             sheet,
             &row.get::<String>("as")?,
             size,
         )?),
-        "growth" => {
+        Kind::Growth => {
             let runs = runs(row, sheet)?;
             for run in &runs {
                 same_size(row, "scenes", sheet, &run.scene, size)?;
             }
-            Measure::Growth {
+            Quantity::Growth {
                 region: region(row, size)?,
                 runs,
             }
         }
-        "slope" => {
+        Kind::Slope => {
             let region = region(row, size)?;
-            Measure::Slope {
+            Quantity::Slope {
                 region,
                 exact: exact(row, sheet, size, region)?,
                 axis: row.find("axis")?.unwrap_or_default(),
                 runs: runs(row, sheet)?,
             }
-        }
-        other => {
-            let known = Measure::NAMES.join(", ");
-            return Err(row.error("measure", &format!("is {other}; it must be one of {known}")));
         }
     })
 }

@@ -1,16 +1,17 @@
-//! A copy of a picture in which the place of a fact is marked.
+//! `MarkedCopy`: a copy of a picture in which the place of a fact is marked.
 
 use std::path::PathBuf;
 
 use common::{Color, Error, Image, Transfer, picture_file};
 
 use crate::pictures::fact::Fact;
-use crate::pictures::judgement::{Answer, Judgement};
+use crate::pictures::judgement::{Judgement, MeasuredValue};
 use crate::pictures::line::Line;
-use crate::pictures::measure::{Measure, Region};
+use crate::pictures::quantity::Quantity;
+use crate::pictures::values::Region;
 
 /// The extension of marked copies.
-pub const MARKED: &str = "marked.png";
+pub const MARKED_EXTENSION: &str = "marked.png";
 
 /// The colours of marks.
 const COLORS: [(&str, Color); 4] = [
@@ -28,7 +29,7 @@ const FROM_LINE: f64 = 3.0;
 const TICK: f64 = 9.0;
 
 /// A marked copy.
-pub struct Marked {
+pub struct MarkedCopy {
     pub file: PathBuf,
     /// What its colours mean.
     pub words: String,
@@ -38,20 +39,20 @@ pub struct Marked {
 pub fn mark(
     judgement: &Judgement,
     fact: &Fact,
-    answer: Option<&Answer>,
-) -> Result<Option<Marked>, Error> {
+    measured: Option<&MeasuredValue>,
+) -> Result<Option<MarkedCopy>, Error> {
     let Ok(opened) = judgement.opened(&fact.run) else {
         return Ok(None);
     };
     let mut image = opened.image.clone();
-    let words = match (&fact.measure, answer) {
-        (Measure::Edge(line) | Measure::Width(line), _) => {
+    let words = match (&fact.quantity, measured) {
+        (Quantity::Edge(line) | Quantity::Width(line), _) => {
             let [first, second] = contrasts(&image, bounds(*line));
             frame_line(&mut image, *line, first.1);
-            if let Measure::Edge(_) = fact.measure {
+            if let Quantity::Edge(_) = fact.quantity {
                 tick(&mut image, *line, fact.value, second.1);
-                if let Some(answer) = answer {
-                    tick(&mut image, *line, answer.value, first.1);
+                if let Some(measured) = measured {
+                    tick(&mut image, *line, measured.value, first.1);
                 }
                 let (first, second) = (first.0, second.0);
                 format!("the line and the edge in {first}, its right place in {second}")
@@ -60,7 +61,7 @@ pub fn mark(
             }
         }
         (measure, _) => {
-            let different = answer.and_then(|answer| answer.different);
+            let different = measured.and_then(|measured| measured.different);
             let Some(region) = measure.region().or(different) else {
                 return Ok(None);
             };
@@ -69,10 +70,10 @@ pub fn mark(
             format!("the region in {name}")
         }
     };
-    let file = opened.drawn.file.with_extension(MARKED);
+    let file = opened.drawn.file.with_extension(MARKED_EXTENSION);
     let bytes = image.to_rgb8(Transfer::Linear);
     picture_file::save_png(&file, image.size(), &bytes)?;
-    Ok(Some(Marked { file, words }))
+    Ok(Some(MarkedCopy { file, words }))
 }
 
 /// The two colours that differ most from the mean around the place.

@@ -1,4 +1,4 @@
-//! `Row`: a question, its right answer, and how far another right answer may be from it.
+//! `Tolerance`: how far another right answer may be from a right answer.
 
 use crate::answers::{Answer, Question};
 
@@ -69,46 +69,4 @@ impl Tolerance {
 /// A number with three digits: more would tell nothing of a tolerance.
 fn rounded(change: f64) -> f64 {
     format!("{change:.2e}").parse().unwrap_or(change)
-}
-
-/// The right answer to a question; by default none yet.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Row {
-    /// The right answer.
-    pub answer: Answer,
-    /// How far another right answer may be from it.
-    pub tolerance: Tolerance,
-}
-
-impl Row {
-    /// The row of the right answer to a question, which code gives.
-    pub fn new(question: &Question, code: &dyn Fn(&[f64]) -> Answer) -> Self {
-        let answer = code(&question.input);
-        let tolerance = Tolerance::at(question, &answer, code);
-        Self { answer, tolerance }
-    }
-
-    /// Whether the question has an answer: one that was just added has none.
-    #[must_use]
-    pub fn is_recorded(&self) -> bool {
-        self.answer != Answer::default()
-    }
-
-    /// The row of another answer to this question, which may differ as far as the right one may.
-    #[must_use]
-    pub fn with_answer(&self, answer: Answer) -> Self {
-        let mut row = Self {
-            answer,
-            ..self.clone()
-        };
-        if !row.answer.has_same_form(&self.answer) {
-            row.tolerance = Tolerance::none(&row.answer);
-        }
-        row
-    }
-
-    /// The first value of the right answer from which another one differs, and what it is.
-    pub(crate) fn difference(&self, yours: &Answer) -> Result<Option<String>, NoSingleAnswer> {
-        self.tolerance.difference(&self.answer, yours)
-    }
 }

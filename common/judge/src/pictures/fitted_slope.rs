@@ -1,7 +1,7 @@
-//! `Slope`: the straight line through the logarithms of errors over samples, and how sure its slope is.
+//! `FittedSlope`: the slope of the straight line through the logarithms of errors over samples, and its interval.
 
 /// The quantile of Student's t that leaves 2.5 % above it, by the number of points less two.
-const STUDENT: [f64; 8] = [
+const T_QUANTILES: [f64; 8] = [
     12.706_204_7,
     4.302_652_7,
     3.182_446_3,
@@ -33,14 +33,14 @@ pub struct Point {
 
 /// The slope of log error over samples or their logarithm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slope {
+pub struct FittedSlope {
     pub slope: f64,
     /// The distance from the slope to either end of the interval that holds the true one with 95 %, if the
     /// errors follow the line.
     pub within: f64,
 }
 
-impl Slope {
+impl FittedSlope {
     /// The least squares line through three or more points. (N. R. Draper and H. Smith, Applied Regression
     /// Analysis, 1998, chapter 1)
     pub fn through(points: &[Point], axis: Axis) -> Result<Self, String> {
@@ -74,7 +74,7 @@ impl Slope {
         }
         let standard_error = (squared_residuals / (count - 2.0) / xx).sqrt();
         // For more points the quantile is a little smaller.
-        let quantile = STUDENT[(logs.len() - 3).min(STUDENT.len() - 1)];
+        let quantile = T_QUANTILES[(logs.len() - 3).min(T_QUANTILES.len() - 1)];
         Ok(Self {
             slope,
             within: quantile * standard_error,
@@ -86,14 +86,14 @@ impl Slope {
 mod tests {
     use super::*;
 
-    fn slope(samples: [u32; 3], errors: [f64; 3], axis: Axis) -> Result<Slope, String> {
+    fn slope(samples: [u32; 3], errors: [f64; 3], axis: Axis) -> Result<FittedSlope, String> {
         let point = |(samples, error)| Point {
             samples,
             seconds: 0.0,
             error,
         };
         let points: Vec<_> = samples.into_iter().zip(errors).map(point).collect();
-        Slope::through(&points, axis)
+        FittedSlope::through(&points, axis)
     }
 
     /// In logarithms to the base 2 the points are (0, 0), (1, 1) and (2, 1): the slope is 1/2, the residuals are

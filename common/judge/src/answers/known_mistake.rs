@@ -1,47 +1,47 @@
-//! `Mistake`: a mistake of learners, with the answers of code that makes it.
+//! `KnownMistake`: a mistake of learners, with the answers of code that makes it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::answers::Answer;
-use crate::answers::row::{NoSingleAnswer, Row, Tolerance};
+use crate::answers::tolerance::{NoSingleAnswer, Tolerance};
+use crate::answers::{Answer, QuestionLine, RightAnswer};
 
 /// The most answers of a mistake that are recorded; of the others it is known that they are
 /// wrong.
 const MAX_ANSWERS: usize = 4;
 
-/// A mistake of learners, and how code that makes it answers the questions of an exercise. Its
-/// answers are the right ones in the rows that nothing is said about.
+/// A mistake of learners, and how code that makes it answers the questions of an exercise. It gives
+/// the right answers to the questions that nothing is said about.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mistake {
+pub struct KnownMistake {
     /// The fact that it overlooks, after which learners read "that".
     pub overlooks: String,
-    /// Wrong answers, by the number of the row, from 0.
+    /// Wrong answers, by the number of the question, from 0.
     pub answers: BTreeMap<usize, (Answer, Tolerance)>,
-    /// Further rows with wrong answers, which are not recorded.
-    pub further_wrong_rows: BTreeSet<usize>,
-    /// Rows in which rounding decides what code with this mistake answers, or of which nothing is known.
-    pub undecided_rows: BTreeSet<usize>,
+    /// Further questions with wrong answers, which are not recorded.
+    pub further_wrong: BTreeSet<usize>,
+    /// Questions of which rounding decides what code with this mistake answers, or nothing is known.
+    pub undecided: BTreeSet<usize>,
 }
 
-impl Mistake {
-    /// The mistake of a program with these rows instead of the right ones.
+impl KnownMistake {
+    /// The mistake of a program with these answers to the questions instead of the right ones.
     #[must_use]
-    pub fn new(overlooks: &str, right: &[Row], its: &[Row]) -> Self {
+    pub fn new(overlooks: &str, questions: &[QuestionLine], its: &[RightAnswer]) -> Self {
         let mut mistake = Self {
             overlooks: overlooks.to_owned(),
             ..Self::default()
         };
-        for (number, (right, its)) in right.iter().zip(its).enumerate() {
-            if !matches!(right.difference(&its.answer), Ok(Some(_))) {
+        for (number, (question, its)) in questions.iter().zip(its).enumerate() {
+            if !matches!(question.right.difference(&its.answer), Ok(Some(_))) {
                 continue;
             }
             if mistake.answers.len() < MAX_ANSWERS {
                 let answer = (its.answer.clone(), its.tolerance.clone());
                 mistake.answers.insert(number, answer);
             } else if its.tolerance == Tolerance::RoundingDecides {
-                mistake.undecided_rows.insert(number);
+                mistake.undecided.insert(number);
             } else {
-                mistake.further_wrong_rows.insert(number);
+                mistake.further_wrong.insert(number);
             }
         }
         mistake
@@ -49,21 +49,19 @@ impl Mistake {
 
     /// The number of its wrong answers.
     #[must_use]
-    pub fn wrong_rows(&self) -> usize {
-        self.answers.len() + self.further_wrong_rows.len()
+    pub fn wrong_count(&self) -> usize {
+        self.answers.len() + self.further_wrong.len()
     }
 
     /// The answers of a program that makes this mistake, with the right ones where nothing is known.
     #[must_use]
-    pub fn answers(&self, rows: &[Row]) -> Vec<Answer> {
+    pub fn answers(&self, questions: &[QuestionLine]) -> Vec<Answer> {
         let mut answers = Vec::new();
-        for (number, row) in rows.iter().enumerate() {
+        for (number, question) in questions.iter().enumerate() {
             answers.push(match self.answers.get(&number) {
                 Some((answer, _)) => answer.clone(),
-                None if self.further_wrong_rows.contains(&number) => {
-                    Answer::words("another answer")
-                }
-                None => row.answer.clone(),
+                None if self.further_wrong.contains(&number) => Answer::words("another answer"),
+                None => question.right.answer.clone(),
             });
         }
         answers
@@ -80,7 +78,7 @@ impl Mistake {
             let Some((yours, is_wrong)) = answer else {
                 continue;
             };
-            let is_undecided = self.undecided_rows.contains(&number);
+            let is_undecided = self.undecided.contains(&number);
             is_told |= *is_wrong && !is_undecided;
             let has_mistake = match self.answers.get(&number) {
                 Some((answer, tolerance)) => match tolerance.difference(answer, yours) {
@@ -88,7 +86,7 @@ impl Mistake {
                     Err(NoSingleAnswer) => continue,
                 },
                 None if is_undecided => true,
-                None => self.further_wrong_rows.contains(&number) == *is_wrong,
+                None => self.further_wrong.contains(&number) == *is_wrong,
             };
             if !has_mistake {
                 return None;
@@ -107,10 +105,10 @@ mod tests {
     #[test]
     fn undecided_answers_tell_no_mistake() {
         let decides = (Answer::words("none"), Tolerance::RoundingDecides);
-        let mistake = Mistake {
+        let mistake = KnownMistake {
             answers: [(0, decides)].into(),
-            undecided_rows: [1].into(),
-            ..Mistake::default()
+            undecided: [1].into(),
+            ..KnownMistake::default()
         };
         let explains = |first| {
             let answers = [first, true].map(|is_wrong| Some((Answer::words("1"), is_wrong)));
