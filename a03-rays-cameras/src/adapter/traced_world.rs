@@ -24,6 +24,12 @@ pub trait TracedWorld: Any + Send + Sync {
         Vec::new()
     }
 
+    /// The materials of the engine's surfaces as the values of their tables; none of a type that has
+    /// no table.
+    fn written_materials(&self) -> Vec<Option<scene_file::Values>> {
+        Vec::new()
+    }
+
     /// The lights of the world as the values of their tables, in the order of the engine's.
     fn written_lights(&self) -> Vec<scene_file::WrittenLight> {
         Vec::new()

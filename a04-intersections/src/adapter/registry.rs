@@ -18,7 +18,7 @@ use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{AxisAlignedBox, Geometry, Hit, Plane, Sphere, Triangle, World};
 pub use mesh::Mesh;
-pub use shape_row::{Content, ShapeKind, ShapeRow, Shapes, Values};
+pub use shape_row::{Content, ShapeKind, ShapeRow, Shapes};
 pub use shared::Shared;
 
 /// The shapes of this stage.

@@ -5,7 +5,7 @@ use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use common::steps::{self, StepKind};
 use common::{Color, Stage};
-use scene_file::WrittenShape;
+use scene_file::{Values, WrittenShape};
 
 use crate::instruments::{instrumented, objects};
 use crate::registry::{self, ALL_SHAPES};
@@ -53,6 +53,14 @@ impl TracedWorld for World<Color> {
 
     fn written_shapes(&self) -> Vec<WrittenShape> {
         ALL_SHAPES.written(self)
+    }
+
+    fn written_materials(&self) -> Vec<Option<Values>> {
+        let mut written = Vec::new();
+        for (_, color) in self.objects() {
+            written.push(Some(vec![("color", color.channels().into())]));
+        }
+        written
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {

@@ -1,6 +1,6 @@
-//! `registry`: one row for each light and material of this stage: its section in the book and its
-//! numbers for the engine, and how a light is read from a scene file. All materials have one table
-//! there, which `read_phong` reads.
+//! `registry`: one row for each light and material of this stage: its table in a scene file and how it
+//! is read and written, its section in the book, and its numbers for the engine. All materials have one
+//! table, of which a key may choose the type.
 //!
 //! A light or a material without a row works, too: the engine asks it, hit by hit.
 
@@ -10,13 +10,11 @@ mod material_row;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::View;
 use a03_rays_cameras::registry::{Format, read_camera};
-use a04_intersections::registry::{ALL_SHAPES, Shapes, Values};
+use a04_intersections::registry::{ALL_SHAPES, Shapes};
 use common::Color;
-use scene_file::{Error, FirstMistake, Item, SceneFile, exact_angle};
+use scene_file::{Error, FirstMistake, Item, SceneFile, Values, exact_angle};
 
-use crate::{
-    DirectionalLight, Lambert, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
-};
+use crate::{DirectionalLight, Lambert, LitWorld, Phong, PointLight, SingleColor, SpotLight};
 pub use light_row::{LightKind, LightRow, Lights};
 pub use material_row::{MaterialKind, MaterialRow, Materials};
 
@@ -27,11 +25,11 @@ pub const LIGHTS: Lights = Lights(&[
     LightRow::of::<DirectionalLight>("directional_light"),
 ]);
 
-/// The materials of this stage.
+/// The materials of this stage. The first reads a table of which no key chooses another type.
 pub const MATERIALS: &[MaterialRow] = &[
-    MaterialRow::of::<SingleColor>("a05-lighting.md#two-questions"),
-    MaterialRow::of::<Lambert>("a05-lighting.md#lambert-the-cosine"),
-    MaterialRow::of::<Phong>("a05-lighting.md#phong-the-highlight"),
+    MaterialRow::of::<Phong>("", "a05-lighting.md#phong-the-highlight"),
+    MaterialRow::of::<Lambert>("", "a05-lighting.md#lambert-the-cosine"),
+    MaterialRow::of::<SingleColor>("color", "a05-lighting.md#two-questions"),
 ];
 
 /// All materials that this stage knows.
@@ -111,28 +109,60 @@ impl LightKind for DirectionalLight {
 }
 
 impl MaterialKind for SingleColor {
-    fn for_engine(&self) -> engine::Shading<'static> {
-        engine::Shading::SingleColor(self.color)
+    /// The table is that of a shape.
+    fn read(item: &Item) -> Result<Self, Error> {
+        item.check(Self::new(item.color("color")))
+    }
+
+    fn content(&self) -> Values {
+        vec![("color", self.color.channels().into())]
+    }
+
+    fn for_engine(&self) -> Option<engine::Shading<'static>> {
+        Some(engine::Shading::SingleColor(self.color))
     }
 }
 
 impl MaterialKind for Lambert {
-    fn for_engine(&self) -> engine::Shading<'static> {
-        engine::Shading::Phong(engine::Phong {
+    fn read(item: &Item) -> Result<Self, Error> {
+        item.check(Self::new(item.color("diffuse")))
+    }
+
+    fn content(&self) -> Values {
+        vec![("diffuse", self.diffuse.channels().into())]
+    }
+
+    fn for_engine(&self) -> Option<engine::Shading<'static>> {
+        Some(engine::Shading::Phong(engine::Phong {
             diffuse: self.diffuse,
             specular: Color::BLACK,
             exponent: 0.0,
-        })
+        }))
     }
 }
 
 impl MaterialKind for Phong {
-    fn for_engine(&self) -> engine::Shading<'static> {
-        engine::Shading::Phong(engine::Phong {
+    fn read(item: &Item) -> Result<Self, Error> {
+        let (diffuse, specular, exponent) = read_phong(item)?;
+        item.check(Self::new(diffuse, specular, exponent))
+    }
+
+    /// The highlight only where there is one.
+    fn content(&self) -> Values {
+        let mut values = self.matt.content();
+        if self.specular != Color::BLACK {
+            values.push(("specular", self.specular.channels().into()));
+            values.push(("exponent", vec![self.exponent]));
+        }
+        values
+    }
+
+    fn for_engine(&self) -> Option<engine::Shading<'static>> {
+        Some(engine::Shading::Phong(engine::Phong {
             diffuse: self.matt.diffuse,
             specular: self.specular,
             exponent: self.exponent,
-        })
+        }))
     }
 
     fn as_phong(&self) -> Option<&Phong> {
@@ -160,16 +190,7 @@ pub fn for_engine(world: &LitWorld) -> engine::Scene<'_> {
 
 /// The camera and the world of a file.
 fn view(file: &SceneFile) -> Result<View, Error> {
-    let surface = |item: &Item| -> Result<Box<dyn Material>, Error> {
-        if let Some(color) = read_single_color(item)? {
-            return Ok(Box::new(color));
-        }
-        let material = item.named("material", &file.materials)?;
-        let (diffuse, specular, exponent) = read_phong(material)?;
-        Ok(Box::new(
-            material.check(Phong::new(diffuse, specular, exponent))?,
-        ))
-    };
+    let surface = |shape: &Item| ALL_MATERIALS.read_of(shape, file);
     let without_shadows = |item: &Item| match item.flag("shadows") {
         Some(true) => Err(item.error("shadows", "lights cast shadows from stage 6 on")),
         _ => LIGHTS.read(item),
@@ -204,15 +225,7 @@ pub fn read_world<S, L>(
     Some(world)
 }
 
-/// The colour of a shape, if it has one instead of a material.
-pub fn read_single_color(item: &Item) -> Result<Option<SingleColor>, Error> {
-    let color = item.find_vector("color", Color::new);
-    color
-        .map(|color| item.check(SingleColor::new(color)))
-        .transpose()
-}
-
-/// The diffuse and specular reflectance and the exponent of a material.
+/// The diffuse and specular reflectance and the exponent of a Phong material.
 pub fn read_phong(item: &Item) -> Result<(Color, Color, f64), Error> {
     let has_highlight = item.find("specular").or(item.find("exponent")).is_some();
     let exponent = if has_highlight {

@@ -7,7 +7,7 @@ use a04_intersections::instruments::instrumented::push_background;
 use a04_intersections::instruments::objects;
 use a04_intersections::registry::ALL_SHAPES;
 use common::{Color, Stage};
-use scene_file::{WrittenLight, WrittenShape};
+use scene_file::{Values, WrittenLight, WrittenShape};
 
 use crate::LitWorld;
 use crate::instruments::instrumented;
@@ -61,6 +61,13 @@ impl TracedWorld for LitWorld {
 
     fn written_shapes(&self) -> Vec<WrittenShape> {
         ALL_SHAPES.written(self.objects())
+    }
+
+    fn written_materials(&self) -> Vec<Option<Values>> {
+        let objects = self.objects().objects();
+        objects
+            .map(|(_, material)| registry::ALL_MATERIALS.written(&**material))
+            .collect()
     }
 
     fn written_lights(&self) -> Vec<WrittenLight> {

@@ -1,5 +1,7 @@
-//! `registry`: one row for each surface of this stage, and how mirrors and lights that cast shadows
+//! `registry`: one row for each surface of this stage, and how surfaces and lights that cast shadows
 //! are read from a scene file and translated for the engine.
+
+use std::any::Any;
 
 use a03_rays_cameras::registry::{Format, read_camera};
 use a03_rays_cameras::{Ray, View};
@@ -7,20 +9,22 @@ use a04_intersections::Hit;
 use a04_intersections::registry::{ALL_SHAPES, Shapes};
 use a05_lighting::registry::{
     LIGHTS, MATERIALS as LIT_MATERIALS, MaterialKind, MaterialRow, Materials, read_phong,
-    read_single_color, read_world,
+    read_world,
 };
 use a05_lighting::{Material, Phong};
-use scene_file::{Error, FirstMistake, Item, SceneFile};
+use common::Color;
+use scene_file::{Error, FirstMistake, Item, SceneFile, Values};
 
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, traced};
 
-/// The materials of this stage.
+/// The materials of this stage. The first reads a table of which no key chooses another type.
 pub const MATERIALS: &[MaterialRow] = &[MaterialRow::of::<Reflective>(
+    "",
     "a05-lighting.md#phong-the-highlight",
 )];
 
 /// All materials that this stage knows.
-pub const ALL_MATERIALS: Materials = Materials(&[LIT_MATERIALS, MATERIALS]);
+pub const ALL_MATERIALS: Materials = Materials(&[MATERIALS, LIT_MATERIALS]);
 
 /// The scene files of this stage.
 pub const FORMAT: Format = Format {
@@ -29,12 +33,39 @@ pub const FORMAT: Format = Format {
 };
 
 impl MaterialKind for Reflective {
-    fn for_engine(&self) -> engine::Shading<'static> {
+    fn read(item: &Item) -> Result<Self, Error> {
+        let (diffuse, specular, exponent) = read_phong(item)?;
+        let reflection = item.color("reflection");
+        item.check(Self::new(diffuse, specular, exponent, reflection))
+    }
+
+    /// The reflection only where there is one.
+    fn content(&self) -> Values {
+        let mut values = self.shiny.content();
+        if self.reflection != Color::BLACK {
+            values.push(("reflection", self.reflection.channels().into()));
+        }
+        values
+    }
+
+    fn for_engine(&self) -> Option<engine::Shading<'static>> {
         self.shiny.for_engine()
     }
 
     fn as_phong(&self) -> Option<&Phong> {
         Some(&self.shiny)
+    }
+}
+
+/// A material of the stage below mirrors nothing.
+impl Surface for Box<dyn Material> {}
+
+/// A material as a surface.
+fn surface(material: Box<dyn Material>) -> Box<dyn Surface> {
+    let any: &dyn Any = &*material;
+    match any.downcast_ref::<Reflective>() {
+        Some(mirror) => Box::new(*mirror),
+        None => Box::new(material),
     }
 }
 
@@ -65,16 +96,7 @@ pub fn for_engine(world: &ShadowedWorld, depth: u32, shapes: Shapes) -> engine::
 
 /// The camera and the world of a file, with the shapes of a stage.
 pub fn read_view(file: &SceneFile, shapes: Shapes) -> Result<View<ShadowedWorld>, Error> {
-    let surface = |item: &Item| -> Result<Box<dyn Surface>, Error> {
-        if let Some(color) = read_single_color(item)? {
-            return Ok(Box::new(color));
-        }
-        let material = item.named("material", &file.materials)?;
-        let (diffuse, specular, exponent) = read_phong(material)?;
-        let reflection = material.color("reflection");
-        let mirror = Reflective::new(diffuse, specular, exponent, reflection);
-        Ok(Box::new(material.check(mirror)?))
-    };
+    let surface = |shape: &Item| ALL_MATERIALS.read_of(shape, file).map(surface);
     let source = |item: &Item| {
         Ok(LightSource {
             light: LIGHTS.read(item)?,

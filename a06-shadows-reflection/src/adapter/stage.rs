@@ -7,7 +7,7 @@ use a04_intersections::instruments::objects;
 use a04_intersections::registry::{ALL_SHAPES, Shapes};
 use a05_lighting::registry::LIGHTS;
 use common::{Color, Stage};
-use scene_file::{WrittenLight, WrittenShape};
+use scene_file::{Values, WrittenLight, WrittenShape};
 
 use crate::instruments::instrumented::InstrumentedWorld;
 use crate::scenes::{aab, sphere};
@@ -63,6 +63,13 @@ impl TracedWorld for RecursiveWorld {
 
     fn written_shapes(&self) -> Vec<WrittenShape> {
         self.shapes.written(self.world.objects())
+    }
+
+    fn written_materials(&self) -> Vec<Option<Values>> {
+        let objects = self.world.objects().objects();
+        objects
+            .map(|(_, surface)| registry::ALL_MATERIALS.written(&**surface))
+            .collect()
     }
 
     fn written_lights(&self) -> Vec<WrittenLight> {

@@ -1,13 +1,14 @@
-//! The rows of shapes and lights, and the tables of scene files.
+//! The rows of shapes, lights and materials, and the tables of scene files.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use a02_math::{Point3, Vector3};
-use a05_lighting::registry::LIGHTS;
+use a05_lighting::registry::{ALL_MATERIALS as LIT_MATERIALS, LIGHTS};
+use a06_shadows_reflection::registry::ALL_MATERIALS;
 use a07_transforms::registry::ALL_SHAPES;
 use common::Color;
-use scene_file::{Form, Item, Key, Notation, SceneFile, TABLES};
+use scene_file::{Data, Form, Item, Key, Notation, SceneFile, TABLES};
 use testing::Random;
 
 use crate::scene_cases::{open, picture};
@@ -106,6 +107,64 @@ fn a_light_of_each_row_is_drawn_by_all_renderers_and_exported() {
     }
 }
 
+/// Each key of a material's table, which is not black, is in the values of the material that is read: by
+/// the stages of which it is known, no key is left out.
+#[test]
+fn no_key_of_a_material_is_left_out_by_the_stages_that_know_it() {
+    for (stage, rows) in [(5, LIT_MATERIALS), (6, ALL_MATERIALS)] {
+        let mut seen = BTreeMap::new();
+        for seed in 0..200 {
+            let mut random = Random::new(seed);
+            let camera = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nangle = 40\n".to_owned();
+            let text =
+                camera + &random_scene::table("material", &mut |end| random.below(end), stage);
+            let file = SceneFile::read(&text, stage, &|_| unreachable!()).unwrap();
+            assert_eq!(file.mistake, None, "{text}");
+            let item = &file.materials[0];
+            let material = rows.read(item).unwrap();
+            let written = rows.written(&*material).unwrap();
+            for (key, _, value) in &item.values {
+                let Data::Numbers(numbers) = value else {
+                    continue;
+                };
+                let is_without_highlight =
+                    *key == "exponent" && item.color("specular") == Color::BLACK;
+                if numbers.iter().all(|number| *number == 0.0) || is_without_highlight {
+                    continue;
+                }
+                let is_written = written.contains(&(*key, numbers.clone()));
+                assert!(
+                    is_written,
+                    "stage {stage} takes no {key}, or loses it:\n{text}"
+                );
+                *seen.entry(*key).or_insert(0) += 1;
+            }
+        }
+        let kind = TABLES.iter().find(|kind| kind.name == "material");
+        let keys = kind.iter().flat_map(|kind| &kind.keys);
+        for key in keys.filter(|key| key.stage <= stage) {
+            let times = seen.get(key.name).copied().unwrap_or(0);
+            assert!(times >= 10, "{}: {times} times", key.name);
+        }
+    }
+}
+
+/// A ball in the light of two lamps.
+#[test]
+fn materials_of_all_keys_are_drawn_by_all_renderers_and_exported() {
+    for seed in 0..60 {
+        let material = table("material", seed);
+        let text = format!(
+            "[camera]\neye = [1, 1.2, 7]\nlook_at = [0, 0, 0]\nangle = 20\n\
+            [world]\nambient = [0.2, 0.2, 0.2]\nbackground = [0.5, 0.25, 0]\n{material}\
+            [[point_light]]\ncolor = [1, 1, 1]\nposition = [3, 4, 5]\n\
+            [[directional_light]]\ncolor = [0.5, 0.5, 1]\ndirection = [1, 0, -1]\n\
+            [[sphere]]\nmaterial = \"NAME\"\ncenter = [0, 0, 0]\nradius = 1\n"
+        );
+        picture(&text, [16, 12]);
+    }
+}
+
 /// Points at distances from 10^-12 to 10^5 from each vector of a table, and from the vector downwards.
 fn points(item: &Item) -> Vec<Point3> {
     let vector = |key: &Key| item.find_vector(key.name, Vector3::new);
@@ -143,6 +202,9 @@ pub fn assert_in_the_book(section: &str) {
 #[test]
 fn the_book_has_the_section_of_each_row() {
     for row in ALL_SHAPES.rows() {
+        assert_in_the_book(row.section);
+    }
+    for row in ALL_MATERIALS.rows() {
         assert_in_the_book(row.section);
     }
 }

@@ -85,6 +85,21 @@ fn choices(kind: &Kind) -> Vec<String> {
     }
     let mut choices = Vec::new();
     for (index, key) in kind.keys.iter().enumerate() {
+        if let Missing::InsteadOf(others) = &key.missing {
+            for other in others {
+                let is_needed = matches!(
+                    kind.key(other),
+                    Some(Key {
+                        missing: Missing::NeededOr(_),
+                        ..
+                    })
+                );
+                if !is_needed {
+                    let (one, other) = (required(key.name), required(other));
+                    choices.push(format!("{{ \"not\": {{ \"allOf\": [{one}, {other}] }} }}"));
+                }
+            }
+        }
         let Missing::NeededOr(other) = key.missing else {
             continue;
         };

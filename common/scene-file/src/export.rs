@@ -7,10 +7,13 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use common::{Color, Settings};
-use engine::{Camera, Scene, Shading, Surface, Transform};
+use engine::{Camera, Scene, Transform};
 use glam::DVec3;
 
 use crate::Phrases;
+
+/// The values of a table, by its keys.
+pub type Values = Vec<(&'static str, Vec<f64>)>;
 
 /// A shape as the values of its table.
 #[derive(Clone, Debug)]
@@ -18,7 +21,7 @@ pub struct WrittenShape {
     /// The name of its table; none if its type has none.
     pub key: Option<&'static str>,
     /// The values, by the keys of the table.
-    pub values: Vec<(&'static str, Vec<f64>)>,
+    pub values: Values,
     /// The shapes of the definition that is used here, instead of values. Uses of the same one hold
     /// the same allocation.
     pub used: Option<Rc<[Self]>>,
@@ -34,15 +37,17 @@ pub struct WrittenLight {
     /// The name of its table; none if its type has none.
     pub key: Option<&'static str>,
     /// The values, by the keys of the table.
-    pub values: Vec<(&'static str, Vec<f64>)>,
+    pub values: Values,
 }
 
-/// Writes a scene with these shapes and lights in a language. The error is a part that it has no
-/// phrase for.
+/// Writes a scene in a language: with these shapes, the values of the materials of its surfaces, and
+/// these lights. A material whose type has no table has no values. The error is a part that the language
+/// has no phrase for.
 pub fn export(
     language: Phrases,
     scene: &Scene,
     shapes: &[WrittenShape],
+    materials: &[Option<Values>],
     lights: &[WrittenLight],
     camera: &Camera,
     settings: &Settings,
@@ -56,8 +61,8 @@ pub fn export(
     };
     // Surfaces with the same phrase share a material.
     let (mut names, mut uses) = (HashMap::new(), Vec::new());
-    for surface in &scene.surfaces {
-        let [material, used] = material(language, surface, scene.ambient)?;
+    for values in materials {
+        let [material, used] = material(language, values.as_ref(), scene.ambient)?;
         let name = format!("m{}", names.len());
         let name = names.entry(material).or_insert_with_key(|material| {
             text += &material.replace("[name]", &name);
@@ -212,27 +217,42 @@ fn unless(default: f64, language: Phrases, phrase: &str, numbers: &[f64]) -> Str
 }
 
 /// A material and its use by a shape.
-fn material(language: Phrases, surface: &Surface, ambient: Color) -> Result<[String; 2], String> {
-    let (kind, color, specular, exponent) = match &surface.shading {
-        Shading::SingleColor(color) => ("single", *color, Color::BLACK, 0.0),
-        Shading::Phong(phong) => {
-            let kind = match phong.specular {
-                Color::BLACK => "matt",
-                gray if gray == Color::gray(gray.r) => "shiny",
-                _ => "colored highlight",
-            };
-            (kind, phong.diffuse, phong.specular, phong.exponent)
-        }
-        Shading::Other(_) => ("material by formula", Color::BLACK, Color::BLACK, 0.0),
+fn material(
+    language: Phrases,
+    values: Option<&Values>,
+    ambient: Color,
+) -> Result<[String; 2], String> {
+    let Some(values) = values else {
+        let words = language.find("material by formula", "", &[])?;
+        return Ok([words, String::new()]);
     };
-    let colors = [color, specular, surface.reflection, ambient];
-    let [color, specular, reflection, ambient] = colors.map(Color::channels);
-    let values: [&[f64]; 5] = [&color, &specular, &reflection, &ambient, &[exponent]];
-    let names = "color specular reflection ambient exponent";
-    let words = language.find(kind, names, &values)?;
-    let mirrored = unless(0.0, language, "reflection", &reflection);
-    let used = language.find(&format!("use {kind}"), names, &values)?;
-    Ok([words + &mirrored, used])
+    let color = words::value(values, "color");
+    if !color.is_empty() {
+        let words = language.find("color", "color", &[color])?;
+        return Ok([words, language.find("use color", "color", &[color])?]);
+    }
+    let used = language.find("use material", "", &[])?;
+    if let Ok(any) = language.find("any material", "", &[]) {
+        let lines = words::lines("material", values);
+        return Ok([any.replace("[values]", &lines), used]);
+    }
+    let specular = words::value(values, "specular");
+    let is_gray = specular.iter().all(|channel| *channel == specular[0]);
+    if !is_gray {
+        return Ok([language.find("colored highlight", "", &[])?, used]);
+    }
+    let ambient = ambient.channels();
+    let (mut keys, mut numbers) = (Vec::new(), Vec::new());
+    for (key, list) in values {
+        keys.push(*key);
+        numbers.push(&**list);
+    }
+    // Words for a material have a place for its reflection, which only a mirror has.
+    let names = keys.join(" ") + " ambient reflection";
+    numbers.extend([&ambient[..], &[0.0; 3]]);
+    keys.retain(|key| *key != "reflection");
+    let phrase = format!("material with {}", keys.join(", "));
+    Ok([language.find(&phrase, &names, &numbers)?, used])
 }
 
 /// A direction with a largest coordinate of 1, which often makes all of them short.

@@ -166,8 +166,9 @@ impl Item {
     pub fn lacks(&self, key: &str) -> Error {
         let known = self.kind.key(key);
         let form = known.map_or_else(String::new, |known| known.form.words());
-        let other = known.and_then(|known| match known.missing {
-            Missing::InsteadOf(other) | Missing::NeededOr(other) => Some(other),
+        let other = known.and_then(|known| match &known.missing {
+            Missing::InsteadOf(others) => others.first().copied(),
+            Missing::NeededOr(other) => Some(*other),
             _ => None,
         });
         let kind = self.kind.name;

@@ -24,7 +24,7 @@ pub struct Key {
 }
 
 /// What a missing key means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Missing {
     /// A mistake.
     Needed,
@@ -32,8 +32,8 @@ pub enum Missing {
     NeededOr(&'static str),
     /// A mistake, if this other key is there.
     NeededWith(&'static str),
-    /// No mistake: the key stands instead of this other one.
-    InsteadOf(&'static str),
+    /// No mistake: the key stands instead of these others, and beside none of them.
+    InsteadOf(Vec<&'static str>),
     /// No mistake: there is a value for it.
     Optional,
 }
@@ -85,7 +85,8 @@ impl Missing {
         } else if let Some(other) = other("needed with ") {
             Some(Self::NeededWith(other))
         } else if let Some(other) = other("instead of ") {
-            Some(Self::InsteadOf(other))
+            let others = other.split(", ").map(|other| other.trim_matches('`'));
+            Some(Self::InsteadOf(others.collect()))
         } else {
             let text = text.to_lowercase();
             let is_misspelt = text.contains("need") || text.contains("instead");

@@ -184,13 +184,21 @@ mod tests {
                 if let Form::Tables(table) = key.form {
                     assert_eq!(find(table).name, table, "{name}");
                 }
-                let missing = |other| kind.key(other).map(|other| other.missing);
-                let (or, instead) = (Missing::NeededOr(key.name), Missing::InsteadOf(key.name));
-                let is_right = match key.missing {
+                let missing = |other: &str| kind.key(other).map(|other| &other.missing);
+                let is_right = match &key.missing {
                     Missing::Needed | Missing::Optional => true,
                     Missing::NeededWith(other) => missing(other).is_some(),
-                    Missing::InsteadOf(other) => missing(other) == Some(or),
-                    Missing::NeededOr(other) => [Some(or), Some(instead)].contains(&missing(other)),
+                    // A key that is needed anyway, or for another one, cannot be replaced.
+                    Missing::InsteadOf(others) => others.iter().all(|other| match missing(other) {
+                        Some(Missing::NeededOr(other)) => *other == key.name,
+                        Some(Missing::Optional | Missing::NeededWith(_)) => true,
+                        _ => false,
+                    }),
+                    Missing::NeededOr(other) => match missing(other) {
+                        Some(Missing::NeededOr(other)) => *other == key.name,
+                        Some(Missing::InsteadOf(others)) => others[..] == [key.name],
+                        _ => false,
+                    },
                 };
                 assert!(is_right, "{name}: {:?}", key.missing);
             }

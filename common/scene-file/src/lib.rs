@@ -27,7 +27,7 @@ mod uses;
 
 pub use color_text::names as color_names;
 pub use error::Error;
-pub use export::{WrittenLight, WrittenShape, exact_angle, export, write_camera};
+pub use export::{Values, WrittenLight, WrittenShape, exact_angle, export, write_camera};
 pub use first_mistake::FirstMistake;
 pub use form::Form;
 pub use item::{Data, Item};

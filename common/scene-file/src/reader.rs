@@ -129,10 +129,13 @@ impl Reader<'_> {
     fn check_keys_together(&mut self, item: &Item) {
         for key in &item.kind.keys {
             let has = |name| item.find(name).is_some();
-            match key.missing {
-                Missing::InsteadOf(other) if has(key.name) && has(other) => {
+            match &key.missing {
+                Missing::InsteadOf(others) if has(key.name) => {
                     let (kind, key) = (item.kind.name, key.name);
-                    self.keep(item.error(key, format!("{kind} takes {other} or {key}, not both")));
+                    for other in others.iter().filter(|other| has(other)) {
+                        let text = format!("{kind} takes {other} or {key}, not both");
+                        self.keep(item.error(key, text));
+                    }
                 }
                 Missing::NeededWith(other) if !has(key.name) && has(other) => {
                     self.keep(item.lacks(key.name));

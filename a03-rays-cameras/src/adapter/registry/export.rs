@@ -17,6 +17,7 @@ impl View {
                     phrases,
                     &scene,
                     &self.world.written_shapes(),
+                    &self.world.written_materials(),
                     &self.world.written_lights(),
                     &camera,
                     settings,

@@ -3,13 +3,10 @@
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
-use scene_file::{Error, Item};
+use scene_file::{Error, Item, Values};
 
 use super::Shared;
 use crate::Geometry;
-
-/// The values of a table, by their keys.
-pub type Values = Vec<(&'static str, Vec<f64>)>;
 
 /// What a shape consists of.
 pub enum Content<'a> {

@@ -3,8 +3,7 @@
 use std::any::Any;
 
 use a02_math::Point3;
-use a04_intersections::registry::Values;
-use scene_file::{Error, Item, WrittenLight};
+use scene_file::{Error, Item, Values, WrittenLight};
 
 use crate::Light;
 

@@ -8,7 +8,7 @@ use common::{Error, Image, Settings, Size, picture_file};
 use scene_file::{POV_RAY, Phrases, export};
 
 use crate::support::scene::Scene;
-use crate::written::{written, written_lights};
+use crate::written::{written, written_lights, written_materials};
 
 /// A program that renders.
 pub struct Program {
@@ -108,8 +108,15 @@ impl Program {
             ..Settings::default()
         };
         let (world, camera) = scene.world();
-        let (shapes, lights) = (written(&world), written_lights(&world));
-        let text = export(language, &world, &shapes, &lights, &camera, &settings);
+        let text = export(
+            language,
+            &world,
+            &written(&world),
+            &written_materials(&world),
+            &written_lights(&world),
+            &camera,
+            &settings,
+        );
         let text = text.map_err(io::Error::other)?;
         fs::write(folder().join(self.file(scene) + ".scene"), text)
     }

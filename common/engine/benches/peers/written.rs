@@ -1,9 +1,9 @@
-//! The shapes and lights of a scene of the engine as the values that a language has words for.
+//! The shapes, materials and lights of a scene of the engine as the values that a language has words for.
 
 use common::Color;
-use engine::{Emitter, Scene, Shape};
+use engine::{Emitter, Scene, Shading, Shape};
 use glam::DVec3;
-use scene_file::{WrittenLight, WrittenShape};
+use scene_file::{Values, WrittenLight, WrittenShape};
 
 /// The shapes in their order; a shape that is a function has no words.
 pub fn written(scene: &Scene) -> Vec<WrittenShape> {
@@ -68,6 +68,28 @@ fn in_words(shape: &Shape) -> WrittenShape {
         transforms: Vec::new(),
         surface: 0,
     }
+}
+
+/// The materials of the surfaces; a material that is a function has no words.
+pub fn written_materials(scene: &Scene) -> Vec<Option<Values>> {
+    let mut written = Vec::new();
+    for surface in &scene.surfaces {
+        let color = |name, color: Color| (name, color.channels().into());
+        written.push(match &surface.shading {
+            Shading::SingleColor(own) => Some(vec![color("color", *own)]),
+            Shading::Phong(phong) => {
+                let mut values = vec![color("diffuse", phong.diffuse)];
+                if phong.specular != Color::BLACK {
+                    values.push(color("specular", phong.specular));
+                    values.push(("exponent", vec![phong.exponent]));
+                }
+                values.push(color("reflection", surface.reflection));
+                Some(values)
+            }
+            Shading::Other(_) => None,
+        });
+    }
+    written
 }
 
 /// The lights in their order; a light that is a function has no words.

@@ -25,12 +25,20 @@ impl Writer<'_> {
     pub(super) fn keys(&mut self, kind: &Kind) -> String {
         let (mut text, is_other) = (String::new(), self.numbers.below(2) == 0);
         let stage = self.stage;
-        for key in kind.keys.iter().filter(|key| key.stage <= stage) {
-            let is_there = match key.missing {
-                Missing::NeededOr("material") | Missing::InsteadOf("color") => false,
+        let keys = kind.keys.iter().filter(|key| key.stage <= stage);
+        let mut replaced = Vec::new();
+        for key in keys.clone() {
+            if let Missing::InsteadOf(others) = &key.missing {
+                replaced.extend(others);
+            }
+        }
+        for key in keys {
+            let is_there = match &key.missing {
+                Missing::NeededOr("material") => false,
+                Missing::InsteadOf(others) => is_other && !others.contains(&"color"),
+                _ if is_other && replaced.contains(&&key.name) => false,
                 Missing::Needed | Missing::NeededWith(_) => true,
                 Missing::NeededOr(_) => !is_other,
-                Missing::InsteadOf(_) => is_other,
                 // A picture of the size that stands for a missing one takes long.
                 Missing::Optional if key.name == "size" => true,
                 // Tables in a table have no meaning of their own.

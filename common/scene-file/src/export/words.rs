@@ -2,11 +2,9 @@
 
 use glam::DVec3;
 
+use super::Values;
 use crate::phrases::number;
 use crate::{Phrases, kind};
-
-/// The values of a table, by its keys.
-type Values = [(&'static str, Vec<f64>)];
 
 /// The smallest distance between two of a triangle's unit normals that is written for a language
 /// in which a triangle of equal normals is flat.
@@ -26,22 +24,14 @@ pub fn of_table(
     values: &Values,
 ) -> Result<String, String> {
     if let Ok(any) = language.find(any, "", &[]) {
-        let lines = values
-            .iter()
-            .map(|(name, numbers)| line(key, name, numbers));
-        return Ok(any
-            .replace("[key]", key)
-            .replace("[values]", &lines.collect::<String>()));
+        let any = any.replace("[key]", key);
+        return Ok(any.replace("[values]", &lines(key, values)));
     }
-    let value = |name| {
-        let found = values.iter().find(|(own, _)| *own == name);
-        found.map_or(&[][..], |(_, numbers)| &**numbers)
-    };
-    let vector = |name| match value(name) {
+    let vector = |name| match value(values, name) {
         &[x, y, z] => DVec3::new(x, y, z),
         _ => DVec3::ZERO,
     };
-    let smooth = value("normals");
+    let smooth = value(values, "normals");
     let phrase = if smooth.is_empty() {
         key.to_owned()
     } else {
@@ -60,7 +50,8 @@ pub fn of_table(
     let distinct_w = distinct_third(smooth);
     names += "height target far a b c u v w distinct_w";
     numbers.extend([&height[..], &target, &far]);
-    numbers.extend(value("corners").chunks(3).chain(smooth.chunks(3)));
+    let corners = value(values, "corners");
+    numbers.extend(corners.chunks(3).chain(smooth.chunks(3)));
     numbers.extend(distinct_w.as_ref().map(<[f64; 3]>::as_slice));
     language.find(&phrase, &names, &numbers)
 }
@@ -80,6 +71,20 @@ fn distinct_third(normals: &[f64]) -> Option<[f64; 3]> {
         third
     };
     Some(distinct.to_array())
+}
+
+/// The numbers of a key; empty if it has none.
+pub fn value<'v>(values: &'v Values, key: &str) -> &'v [f64] {
+    let found = values.iter().find(|(own, _)| *own == key);
+    found.map_or(&[], |(_, numbers)| numbers)
+}
+
+/// The lines of a scene file with the values of a table.
+pub fn lines(key: &str, values: &Values) -> String {
+    let lines = values.iter();
+    lines
+        .map(|(name, numbers)| line(key, name, numbers))
+        .collect()
 }
 
 /// The line of a scene file with a value, in the form that its key has.
