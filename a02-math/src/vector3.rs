@@ -1,6 +1,6 @@
 //! `Vector3`: the step from one point to another.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use common::{ArgumentError, text};
 use glam::DVec3;
@@ -29,11 +29,11 @@ impl Vector3 {
     pub fn normalized(self) -> Option<Self> {
         let squared = self.0.length_squared();
         if (1e-280..=1e280).contains(&squared) {
-            return Some(Self(self.0 / squared.sqrt()));
+            return Some(self / squared.sqrt());
         }
         // Outside, the square of the length has lost digits or is infinite.
         let scaled = self.scaled()?;
-        Some(Self(scaled.0 / scaled.magnitude()))
+        Some(scaled / scaled.magnitude())
     }
     // ANCHOR_END: normalized
 
@@ -154,6 +154,14 @@ impl Mul<f64> for Vector3 {
 
     fn mul(self, factor: f64) -> Self {
         Self(self.0 * factor)
+    }
+}
+
+impl Div<f64> for Vector3 {
+    type Output = Self;
+
+    fn div(self, divisor: f64) -> Self {
+        Self(self.0 / divisor)
     }
 }
 

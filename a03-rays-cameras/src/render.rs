@@ -35,7 +35,7 @@ pub fn render(
                 let (x, y) = camera_coordinates(size, column, row, place);
                 *pixel += radiance(&camera.ray_for(size, x, y));
             }
-            *pixel = pixel.map(|sum| sum / f64::from(sampler.samples()));
+            *pixel = *pixel / f64::from(sampler.samples());
         }
         progress.row(row, &mut pixels.iter().copied());
         // ANCHOR_END: mean

@@ -6,7 +6,7 @@
 //! Functions that run for every ray are marked `#[inline]`, because few others are inlined across
 //! crates.
 
-use std::ops::{Add, AddAssign, Mul, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Sub};
 
 /// A colour of linear red, green and blue, nominally from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -52,7 +52,7 @@ impl Color {
     /// The colour of three bytes, with 255 as 1.
     #[must_use]
     pub fn from_bytes([r, g, b]: [u8; 3]) -> Self {
-        Self::new(r.into(), g.into(), b.into()).map(|byte| byte / 255.0)
+        Self::new(r.into(), g.into(), b.into()) / 255.0
     }
 
     /// The colour of a packed 0xRRGGBB number; higher bits are ignored.
@@ -143,6 +143,15 @@ impl Mul<f64> for Color {
     }
 }
 
+impl Div<f64> for Color {
+    type Output = Self;
+
+    #[inline]
+    fn div(self, divisor: f64) -> Self {
+        self.map(|channel| channel / divisor)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -155,6 +164,15 @@ mod tests {
             let bytes = [byte, 255 - byte, byte / 2];
             assert_eq!(Color::from_bytes(bytes).to_bytes(), bytes);
         }
+    }
+
+    /// 49 · (1/49) is below 1.
+    #[test]
+    fn a_quotient_is_rounded_once() {
+        assert_eq!(
+            Color::new(49.0, -98.0, 0.0) / 49.0,
+            Color::new(1.0, -2.0, 0.0)
+        );
     }
 
     #[test]

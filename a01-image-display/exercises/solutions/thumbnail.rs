@@ -18,7 +18,7 @@ pub fn thumbnail(image: &Image, n: u32) -> Result<Image, Error> {
                     pixels += 1.0;
                 }
             }
-            sum.map(|channel| channel / pixels)
+            sum / pixels
         })
     })
 }

@@ -56,6 +56,15 @@ fn any_length_can_be_normalized() {
     });
 }
 
+/// 49 · (1/49) is below 1.
+#[test]
+fn a_quotient_is_rounded_once() {
+    assert_eq!(
+        Vector3::new(49.0, -98.0, 0.0) / 49.0,
+        Vector3::new(1.0, -2.0, 0.0)
+    );
+}
+
 /// Tolerance: relative to the length.
 #[test]
 fn reflecting_twice_changes_nothing_and_once_keeps_the_length() {

@@ -38,7 +38,7 @@ fn walls(through: &Code, settings: &Settings) -> Result<Image, Error> {
             let [right, up] = [n, n + 1].map(|n| 0.3 * (random.uniform(n) - 0.5));
             sum += wall(&through(&camera.basis(), 5.0, &ray, (right, up)));
         }
-        sum.map(|channel| channel / f64::from(samples))
+        sum / f64::from(samples)
     })
 }
 

@@ -41,7 +41,7 @@ fn explained_sum(trace: &PixelTrace) -> Color {
             _ => (),
         }
     }
-    sum.map(|sum| sum / samples)
+    sum / samples
 }
 
 #[test]

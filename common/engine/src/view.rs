@@ -88,7 +88,7 @@ impl View<'_, '_> {
         }
         if samples > 1 {
             for pixel in pixels {
-                *pixel = pixel.map(|channel| channel / f64::from(samples));
+                *pixel = *pixel / f64::from(samples);
             }
         }
         true

@@ -22,7 +22,7 @@ impl View {
             let ray = self.camera.ray_for(size, x, y);
             sum += self.world.radiance(&ray, settings.depth);
         }
-        sum.map(|sum| sum / f64::from(sampler.samples()))
+        sum / f64::from(sampler.samples())
     }
 
     /// The steps from a pixel, whose column and row lie in the picture, to its colour, by the
@@ -77,7 +77,7 @@ fn trace_samples(
                 light
             });
         }
-        let mean = sum.map(|sum| sum / f64::from(sampler.samples()));
+        let mean = sum / f64::from(sampler.samples());
         steps::push(StepKind::Mean, |kind| {
             Step::new(kind, "mean of the samples", LOOP).with("c", mean.channels())
         });

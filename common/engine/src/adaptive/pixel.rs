@@ -113,7 +113,7 @@ impl Pixel {
         if self.pairs == 0 {
             return self.sum;
         }
-        self.sum.map(|sum| sum / f64::from(2 * self.pairs))
+        self.sum / f64::from(2 * self.pairs)
     }
 
     /// The mean as a screen shows it, from 0 to 1.
