@@ -9,6 +9,7 @@ use std::{fs, io};
 
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
+use learn::sheet;
 
 use crate::exercises;
 use crate::packages::{Package, Packages};
@@ -51,7 +52,7 @@ const BUILT: [&str; 11] = [
 /// The pages of the book, and their pictures.
 const BOOK: &str = "book/src/";
 
-/// The open sheets, which follow the last stage.
+/// The open sheets.
 const SHEETS: &str = "common/judge/sheets/";
 
 /// Writes a workbook for students
@@ -193,19 +194,25 @@ fn paths() -> Result<Vec<String>, String> {
     Ok(paths.split_terminator('\0').map(str::to_owned).collect())
 }
 
-/// What checks and `cargo learn` read: the pages of exercises, the pictures of these pages and of scenes, and behind
-/// the last stage the open sheets. Names of pages and pictures begin with that of the stage.
+/// What checks and `cargo learn` read: the pages of exercises, the pictures of these pages and of scenes, and the sheets
+/// that the stages open. Names of pages and pictures begin with that of the stage.
 fn pages<'a>(paths: &'a [String], above: &[Exercise]) -> Result<BTreeSet<&'a str>, String> {
     let is_handed_out = |name: &str| {
         let stage = name.split_once('-').map_or("", |(stage, _)| stage);
         stage.starts_with("a0") && !above.iter().any(|e| e.stage.starts_with(stage))
     };
+    let mut sheets = sheet::read_all()?;
+    sheets.retain(|sheet| !above.iter().any(|e| e.stage == sheet.stage));
+    let sheets: Vec<_> = sheets
+        .iter()
+        .map(|sheet| format!("{SHEETS}{}.toml", sheet.name))
+        .collect();
     let mut pages = BTreeSet::new();
     let mut text = String::new();
     for path in paths {
         let name = path.strip_prefix(BOOK).unwrap_or_default();
         let is_page = name.ends_with("-exercises.md") && is_handed_out(name);
-        if is_page || (path.starts_with(SHEETS) && above.is_empty()) {
+        if is_page || sheets.contains(path) {
             pages.insert(&**path);
             text += &files::read(path)?;
         }
@@ -273,6 +280,29 @@ mod tests {
         for path in contents.keys() {
             assert!(!path.starts_with("common/course/"), "{path}");
             assert!(!path.contains("/exercises/others/"), "{path}");
+        }
+    }
+
+    #[test]
+    fn a_handout_has_the_sheets_that_its_stages_open() {
+        if !files::workspace().join(".git").exists() {
+            eprintln!("skipped: a handout is written by a workbook in Git");
+            return;
+        }
+        let course = learn::exercise::read_all().unwrap();
+        for (stage, sheet, is_there) in [
+            ("a02", "lens", false),
+            ("a03", "lens", true),
+            ("a03", "tree", false),
+            ("a04", "tree", true),
+        ] {
+            let handout = Handout {
+                until: Some(stage.to_owned()),
+                ..Handout::default()
+            };
+            let contents = handout.workbook(course).unwrap();
+            let path = format!("{SHEETS}{sheet}.toml");
+            assert_eq!(contents.contains_key(&path), is_there, "{stage}: {path}");
         }
     }
 }

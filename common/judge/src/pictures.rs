@@ -24,4 +24,4 @@ pub use run::Run;
 pub use sheet::{RequestedPicture, Sheet};
 
 /// The names of the sheets, in the order in which they are set.
-pub const NAMES: [&str; 6] = ["tree", "patterns", "glass", "lamp", "lens", "light"];
+pub const NAMES: [&str; 6] = ["lens", "patterns", "tree", "glass", "lamp", "light"];

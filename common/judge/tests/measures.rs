@@ -6,7 +6,7 @@ use std::path::Path;
 use common::{Color, Error, Image, Size, Transfer, picture_file};
 use judge::pictures::{Drawn, Facts, RequestedPicture, Run, Sheet, ask_facts};
 
-const HEAD: &str = "title = \"T\"\npage = \"p.md\"\nhours = 1\n";
+const HEAD: &str = "title = \"T\"\npage = \"p.md\"\nstage = \"a01\"\nhours = 1\n";
 
 /// Byte 4 x in column x: 0 to 236.
 fn ramp(x: u32, _: u32) -> Color {

@@ -130,7 +130,7 @@ fn run() -> Result<String, String> {
             Ok(format!("{}\n\n{hints}", e.title))
         }),
         Some(Command::Check(Check { all: true, .. })) => check_all(course),
-        Some(Command::Check(Check { one, .. })) => with_chosen(&one, course, check),
+        Some(Command::Check(Check { one, .. })) => with_chosen(&one, course, |e| check(course, e)),
         Some(Command::Corpus) => corpus(course),
         Some(Command::Book) => book::build(course),
         Some(Command::Reset(shown)) => with_chosen(&shown, course, files::reset),
@@ -178,16 +178,19 @@ fn with_chosen(
 
 /// Checks an exercise, and prints all that the check says. Returns the verdict, which is an error
 /// if the exercise is not done.
-fn check(e: &Exercise) -> Result<String, String> {
+fn check(course: &[Exercise], e: &Exercise) -> Result<String, String> {
     files::begin(e)?;
     let screen = Screen::new();
-    let report = judge(e, &mut Progress::read(), screen.space(), &mut told(""));
+    let mut progress = Progress::read();
+    let report = judge(e, &mut progress, screen.space(), &mut told(""));
     print(&report.details(&screen))?;
-    if report.is_done {
-        Ok(report.verdict)
-    } else {
-        Err(report.verdict)
+    if !report.is_done {
+        return Err(report.verdict);
     }
+    Ok(match progress.opened_by(course, e) {
+        Some(opened) => screen.wrap(&format!("{}\n{opened}", report.verdict)),
+        None => report.verdict,
+    })
 }
 
 /// Checks all files that are begun, and returns how many of them are done; an error names those that

@@ -10,15 +10,13 @@ use std::fs;
 use std::io::ErrorKind;
 
 use common::{atomic_file, fnv1a};
+use judge::pictures::Sheet;
 
 use crate::exercise::Exercise;
 use crate::files;
 use crate::sheet;
 
 const FILE: &str = ".learn";
-
-/// What follows the core path.
-const PART_TWO: &str = "`cargo learn sheet` lists what your own program draws next, in part two";
 
 /// Hashes of right files, by the names of the exercises.
 type Hashes = BTreeMap<String, u64>;
@@ -132,6 +130,25 @@ impl Progress {
         words.join(", ")
     }
 
+    /// The sheets of which the core path of the stage is done.
+    pub fn open_sheets(&self, course: &[Exercise]) -> Result<Vec<Sheet>, String> {
+        let mut sheets = sheet::read_all()?;
+        sheets.retain(|sheet| {
+            let mut core = course
+                .iter()
+                .filter(|e| e.is_core && e.stage == sheet.stage);
+            core.all(|e| self.is_done(e))
+        });
+        Ok(sheets)
+    }
+
+    /// The sheets that an exercise has opened, being the last of its stage's core path, in words.
+    pub fn opened_by(&self, course: &[Exercise], e: &Exercise) -> Option<String> {
+        let mut sheets = self.open_sheets(course).ok()?;
+        sheets.retain(|sheet| e.is_core && sheet.stage == e.stage);
+        (!sheets.is_empty()).then(|| sheet::open_words(&sheets))
+    }
+
     /// An exercise in a line.
     pub fn row(&self, e: &Exercise) -> String {
         let (mark, stage) = (self.mark(e), &e.stage[..3]);
@@ -145,9 +162,10 @@ impl Progress {
         let mut lines: Vec<_> = course.iter().map(|e| self.row(e)).collect();
         lines.push(String::new());
         lines.push(self.summary(course));
-        let is_path_done = course.iter().all(|e| !e.is_core || self.is_done(e));
-        if is_path_done && sheet::has_sheets() {
-            lines.push(PART_TWO.to_owned());
+        match self.open_sheets(course) {
+            Ok(sheets) if sheets.is_empty() => {}
+            Ok(sheets) => lines.push(sheet::open_words(&sheets)),
+            Err(problem) => lines.push(problem),
         }
         lines.join("\n")
     }

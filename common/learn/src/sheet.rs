@@ -19,7 +19,7 @@ pub use own_program::OwnProgram;
 /// The folder of the sheets.
 const SHEETS: &str = "common/judge/sheets";
 
-const NONE: &str = "this workbook has no sheets; they follow the last stage";
+const NONE: &str = "this workbook has no sheets; later stages bring them";
 
 /// Lists the open sheets, shows what one asks for, or judges your program by its pictures
 #[derive(clap::Args)]
@@ -85,9 +85,13 @@ pub fn read_all() -> Result<Vec<Sheet>, String> {
     Ok(sheets)
 }
 
-/// Whether this workbook goes as far as part two.
-pub(crate) fn has_sheets() -> bool {
-    files::shortest(SHEETS).is_dir()
+/// What a person reads about sheets that are open now.
+pub(crate) fn open_words(sheets: &[Sheet]) -> String {
+    let mut words = Vec::new();
+    for Sheet { title, name, .. } in sheets {
+        words.push(format!("{title} (`cargo learn sheet {name}`)"));
+    }
+    format!("open for your own program: {}", words.join(", "))
 }
 
 /// The exercises whose functions move into the student's program for a sheet.
@@ -120,6 +124,7 @@ fn list(sheets: &[Sheet]) -> String {
     let mut lines = Vec::new();
     for Sheet {
         name,
+        stage,
         hours,
         title,
         page,
@@ -127,7 +132,9 @@ fn list(sheets: &[Sheet]) -> String {
     } in sheets
     {
         let page = files::page(page);
-        lines.push(format!("{name:10} {hours:>2} h  {title:36} {page}"));
+        lines.push(format!(
+            "{name:10}  {stage:.3}  {hours:>2} h  {title:36} {page}"
+        ));
     }
     lines.push(String::new());
     lines.push("`cargo learn sheet NAME` shows what it asks for".to_owned());
@@ -233,17 +240,35 @@ mod tests {
 
     #[test]
     fn sheets_have_their_pages_and_exercises() {
-        let summary = files::read("book/src/SUMMARY.md").unwrap();
+        let [summary, part_two, readme] =
+            ["book/src/SUMMARY.md", "book/src/part-two.md", "README.md"]
+                .map(|path| files::read(path).unwrap());
         for sheet in read_all().unwrap() {
-            let Sheet { page, steps, .. } = sheet;
+            let Sheet {
+                title,
+                page,
+                stage,
+                hours,
+                steps,
+                ..
+            } = sheet;
             assert!(summary.contains(&format!("({page})")), "{page}");
             assert!(
                 files::shortest(&format!("book/src/{page}")).exists(),
                 "{page}"
             );
             for step in steps {
-                exercise::find(&step).unwrap();
+                let step = exercise::find(&step).unwrap();
+                assert!(step.stage <= &*stage, "{}", step.name);
             }
+            // Tables name the stage that opens it, and the hours.
+            let number = stage[..3].trim_start_matches("a0");
+            let row = format!("[{title}]({page}): ");
+            let row = part_two.lines().find(|line| line.contains(&row)).unwrap();
+            assert!(row.ends_with(&format!(" | {number} | {hours} |")), "{row}");
+            let row = format!("| [`{stage}`]");
+            let row = readme.lines().find(|line| line.starts_with(&row)).unwrap();
+            assert!(row.contains(&format!("(book/src/{page})")), "{row}");
         }
     }
 }

@@ -14,6 +14,29 @@ const WORKBOOK: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/workbook");
 const PACKAGE: &str = "[package]\nname = \"a01-image-display\"\nedition = \"2024\"\n\
     [[test]]\nname = \"exercises\"\npath = \"main.rs\"\nharness = false\n[workspace]";
 
+/// A sheet that the stage opens.
+const SHEET: &str = r#"
+title = "A lens"
+page = "sheet-lens.md"
+stage = "a01-image-display"
+hours = 6
+[[picture]]
+scene = "dark"
+samples = [1]
+size = [9, 9]
+[[fact]]
+name = "dark"
+says = "it is dark"
+scene = "dark"
+measure = "mean"
+region = [0, 0, 9, 9]
+value = 0
+formula = "0"
+within = 0
+because = "nothing shines"
+hint = "Is nothing there?"
+"#;
+
 /// The starter, and files of a student, whose checks end with an exit code, or do not end.
 const FILES: &[(&str, &str)] = &[
     ("starter", "println!(\"to do\"); 3"),
@@ -75,7 +98,7 @@ const STEPS: &[(&str, &str)] = &[
     ("products", "panic>: not yet|recursion>probably by a recursion without end|right>: done|>exercises/angle.rs"),
     ("angle", "broken>: does not compile|n>exercises/reflected.rs"),
     ("reflected", "right>: done|broken>: does not compile|right>: done|>exercises/angle.rs"),
-    ("angle", "chatty>a word|look>: done|>exercises/ppm.rs"),
+    ("angle", "chatty>a word|look>: done|look>open for your own program: A lens (`cargo learn sheet lens`)|>exercises/ppm.rs"),
     ("ppm", "linked>refused: it contains `extern`|look>: not yet|look>further: 0 of 6"),
     ("ppm", "many>line 50|look>… 8951 more lines|look>: not yet"),
     ("ppm", "control>\\u{1b}[2J\\u{1b}[31m|panic>: not yet|n>exercises/srgb.rs"),
@@ -160,6 +183,7 @@ fn each_step_is_answered() {
     write("Cargo.toml", PACKAGE);
     write("book/src/a01-exercises.md", &page());
     write("a01-image-display/exercises/exercises.toml", &list());
+    write("common/judge/sheets/lens.toml", SHEET);
     let hint = learn(&["hint", "own"]).output().unwrap();
     assert_eq!(hint.stdout, b"Its title\n\nHint 1 of 1\n\nIts hint.\n");
 
@@ -253,11 +277,15 @@ fn check_once(file: &dyn Fn(&str) -> String) {
         (output.status.success(), String::from_utf8(printed).unwrap())
     };
     // Without a change, each file is done; after a change or a reset, it is not.
+    let open = "open for your own program: A lens (`cargo learn sheet lens`)";
     let (_, list) = run(&["list"]);
     assert!(
         list.contains("core path: 5 of 5 done, further: 6 of 6"),
         "{list}"
     );
+    assert!(list.contains(open), "{list}");
+    let (_, words) = run(&["check", "set_pixel"]);
+    assert!(words.contains(open), "{words}");
     write(&file("own"), &text("wrong").unwrap());
     run(&["reset", "angle"]);
     fs::remove_file(file("ppm")).unwrap();
@@ -266,6 +294,7 @@ fn check_once(file: &dyn Fn(&str) -> String) {
         list.contains("core path: 4 of 5 done, further: 4 of 6"),
         "{list}"
     );
+    assert!(!list.contains(open), "{list}");
     write(&file("own"), &text("right").unwrap());
     let (_, list) = run(&["list"]);
     assert!(list.contains("further: 5 of 6"), "{list}");

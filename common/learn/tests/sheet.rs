@@ -15,6 +15,7 @@ const LIST: &str = "[[exercise]]\nname = \"a\"\ntitle = \"A\"\nminutes = 1\n";
 const SHEET: &str = r#"
 title = "Edges"
 page = "sheet-glass.md"
+stage = "a01"
 hours = 1
 
 [[picture]]
@@ -143,7 +144,10 @@ fn each_program_gets_a_sentence() {
     write("mine/src/main.rs", PROGRAM);
 
     let (printed, _) = learn(&[], "");
-    assert!(printed.contains("glass       1 h  Edges"), "{printed}");
+    assert!(
+        printed.contains("glass       a01   1 h  Edges"),
+        "{printed}"
+    );
     let (printed, _) = learn(&["glass"], "");
     assert!(
         printed.contains("noise, 40x30 pixels, samples: 4, 16, 64"),

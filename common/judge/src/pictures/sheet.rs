@@ -18,6 +18,8 @@ pub struct Sheet {
     pub title: String,
     /// Its page of the book.
     pub page: String,
+    /// The stage that opens it: its program needs nothing above.
+    pub stage: String,
     /// How long it takes.
     pub hours: u32,
     /// Exercises whose functions move into the student's program, once they are done.
@@ -54,6 +56,7 @@ impl Sheet {
             name: name.to_owned(),
             title: row.get("title")?,
             page: row.get("page")?,
+            stage: row.get("stage")?,
             hours: row.get("hours")?,
             steps: row.find("steps")?.unwrap_or_default(),
             pictures: Vec::new(),

@@ -32,6 +32,10 @@ impl Page {
         ];
         if let Some(report) = &self.report {
             parts.push(self.verdict(report, screen));
+            if report.is_done {
+                let opened = session.progress.opened_by(session.course, self.exercise);
+                parts.extend(opened.map(|words| screen.wrap(&words)));
+            }
         }
         parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
         parts.push(session.progress.summary(session.course));
