@@ -7,6 +7,7 @@ mod barycentric;
 mod camera;
 mod chain;
 mod color;
+mod hemisphere;
 mod normals;
 mod offset;
 mod samples;
@@ -35,6 +36,7 @@ pub fn answer(figure: &str, numbers: &[f64]) -> Answered {
         "offset" => offset::answer(expect(figure, numbers)?),
         "lambert" => shading::lambert(expect(figure, numbers)?),
         "shading" => shading::answer(expect(figure, numbers)?),
+        "hemisphere" => Ok(hemisphere::answer(expect(figure, numbers)?)),
         "samples" => Ok(samples::answer(expect(figure, numbers)?)),
         "sample-errors" => Ok(samples::errors(expect(figure, numbers)?)),
         "scene" => scene::answer(expect(figure, numbers)?),

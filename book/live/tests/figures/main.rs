@@ -153,6 +153,42 @@ fn the_error_of_random_samples_falls_with_the_root_of_their_number() {
     assert!((ratio / 32.0 - 1.0).abs() < 0.2, "{ratio}");
 }
 
+/// A direction of a white sky brings 2u when u = cos θ is even on [0, 1], of variance 1/3; of half a sky it brings
+/// 2u or 0, of variance 2/3 - 1/4. By the cosine each brings 1, or of half a sky 1 or 0. The error measured in 1,000
+/// pixels is itself uncertain by 1/√2000, of which 5 are allowed.
+#[test]
+fn the_noise_of_directions_is_that_of_the_closed_form() {
+    for (sky, even, cosine) in [(0.0, 1.0 / 3.0, 0.0), (1.0, 5.0 / 12.0, 0.25)] {
+        for (samples, seed) in [(1.0, 0.0), (16.0, 1.0), (64.0, 2.0)] {
+            let answer = ask("hemisphere", &[samples, sky, seed]);
+            for (density, variance) in [("even", even), ("cosine", cosine)] {
+                let exact = (variance / samples).sqrt();
+                assert_near(answer.get(&format!("{density}_exact")), &[exact]);
+                let [measured] = answer.get(&format!("{density}_noise")) else {
+                    panic!("one noise for each density");
+                };
+                let uncertain = 5.0 * exact / 2000.0_f64.sqrt();
+                assert!((measured - exact).abs() <= uncertain, "{measured} {exact}");
+            }
+        }
+    }
+}
+
+/// Seen from above, even directions have a mean square radius of 1 - 1/3, with the variance 4/45, and those by the
+/// cosine, which are even on the disc, 1/2, with the variance 1/12. Of 256 directions five standard errors are allowed.
+#[test]
+fn directions_by_the_cosine_are_even_on_the_disc_below() {
+    let answer = ask("hemisphere", &[256.0, 0.0, 0.0]);
+    for (density, mean, variance) in [("even", 2.0 / 3.0, 4.0 / 45.0), ("cosine", 0.5, 1.0 / 12.0)]
+    {
+        let places = answer.get(density);
+        assert_eq!(places.len(), 512);
+        let square = places.iter().map(|x| x * x).sum::<f64>() / 256.0;
+        let uncertain = 5.0 * f64::sqrt(variance / 256.0);
+        assert!((square - mean).abs() < uncertain, "{density}: {square}");
+    }
+}
+
 #[test]
 fn a_spot_lights_its_cone() {
     let at = |x, y| ask("spot", &[0.0, 45.0, x, y]);
