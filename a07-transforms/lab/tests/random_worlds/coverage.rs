@@ -52,6 +52,10 @@ fn lamps(text: &str) -> [bool; 2] {
 }
 
 #[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "300 scenes, which a release build writes in seconds"
+)]
 fn every_kind_of_input_occurs_in_random_scenes() {
     let mut counts: HashMap<String, usize> = HashMap::new();
     for seed in 0..300 {
