@@ -4,79 +4,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use learn::tokens;
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
-
 use crate::outcome::Graded;
-
-/// Files with fewer tokens are alike by chance.
-const MIN_TOKENS: usize = 150;
+use crate::structure::Structure;
 
 /// Whose code the workbook's own is.
 const WORKBOOK: &str = "the workbook";
-
-/// Code in which a name is the number of its first appearance.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Structure(Vec<String>);
-
-impl Structure {
-    /// The structure of a file; none if it is no Rust, or too short.
-    pub fn read(text: &str) -> Option<Self> {
-        let mut structure = Self::default();
-        structure.add(tokens::read(text).ok()?, &mut BTreeMap::new());
-        (structure.0.len() >= MIN_TOKENS).then_some(structure)
-    }
-
-    fn add(&mut self, tokens: TokenStream, names: &mut BTreeMap<String, usize>) {
-        let tokens: Vec<_> = tokens.into_iter().collect();
-        let mut at = 0;
-        while let Some(token) = tokens.get(at) {
-            let others = not_compared(&tokens[at..]);
-            if others > 0 {
-                at += others;
-                continue;
-            }
-            at += 1;
-            match token {
-                TokenTree::Group(group) => {
-                    self.0.push(format!("{:?}", group.delimiter()));
-                    self.add(group.stream(), names);
-                    self.0.push("end".to_owned());
-                }
-                TokenTree::Ident(name) => {
-                    let next = names.len();
-                    let number = *names.entry(name.to_string()).or_insert(next);
-                    self.0.push(format!("name {number}"));
-                }
-                TokenTree::Punct(_) | TokenTree::Literal(_) => self.0.push(token.to_string()),
-            }
-        }
-    }
-}
-
-/// How many of these tokens, from the first on, are a comment of documentation, or what the workbook gives to all: the
-/// examples of an exercise, and a function `main`, whose lines stand in the book.
-fn not_compared(tokens: &[TokenTree]) -> usize {
-    let is_doc = |token: Option<&TokenTree>| {
-        let Some(TokenTree::Group(bracket)) = token else {
-            return false;
-        };
-        let inner: Vec<_> = bracket.stream().into_iter().collect();
-        bracket.delimiter() == Delimiter::Bracket && tokens::begin(&inner, &["doc", "="])
-    };
-    let is_body = |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
-    if tokens::begin(tokens, &["#"]) && is_doc(tokens.get(1)) {
-        2
-    } else if tokens::begin(tokens, &["#", "!"]) && is_doc(tokens.get(2)) {
-        3
-    } else if tokens::begin(tokens, &["fn", "main"])
-        || tokens::begin(tokens, &["testing", ":", ":", "examples", "!"])
-    {
-        tokens.iter().position(is_body).map_or(0, |body| body + 1)
-    } else {
-        0
-    }
-}
 
 /// The workbook's own code, by the names of exercises and sheets.
 #[derive(Debug, Default)]
@@ -87,24 +19,6 @@ impl WorkbooksCode {
         let of_name = self.0.entry(name.to_owned()).or_default();
         of_name.extend(Structure::read(text));
     }
-}
-
-/// A solution as a student would hand it in: with the code of each `missing!("what", for_now, {…})`.
-pub fn with_code(solution: &str) -> Result<String, String> {
-    tokens::replace(solution, &|tokens| {
-        let [_, _, TokenTree::Group(call), ..] = tokens else {
-            return Ok(None);
-        };
-        if !tokens::begin(tokens, &["missing", "!"]) {
-            return Ok(None);
-        }
-        let code = call.stream().into_iter().last();
-        let code = code.map_or(String::new(), |code| code.to_string());
-        let code = code
-            .strip_prefix('{')
-            .and_then(|code| code.strip_suffix('}'));
-        Ok(code.map(|code| (3, code.to_owned())))
-    })
 }
 
 /// Writes into each hand-in who else has the same code, and returns a line for each.
@@ -120,8 +34,8 @@ pub fn mark(graded: &mut [Graded], workbooks: &WorkbooksCode) -> Vec<String> {
     }
     for student in &*graded {
         for judged in &student.results {
-            for structure in &judged.structures {
-                let owners = owners.entry((&judged.name, structure)).or_default();
+            for file in &judged.files {
+                let owners = owners.entry((&judged.name, &file.structure)).or_default();
                 owners.insert(&student.name);
             }
         }
@@ -129,12 +43,17 @@ pub fn mark(graded: &mut [Graded], workbooks: &WorkbooksCode) -> Vec<String> {
     let mut same = Vec::new();
     for student in &*graded {
         for judged in &student.results {
-            let mut others = BTreeSet::<&str>::new();
-            for structure in &judged.structures {
-                others.extend(owners[&(&judged.name, structure)].iter().copied());
+            // The student's files that agree, by the others.
+            let mut others = BTreeMap::<&str, Vec<&str>>::new();
+            for file in &judged.files {
+                for owner in &owners[&(&judged.name, &file.structure)] {
+                    others.entry(owner).or_default().push(&file.path);
+                }
             }
             others.remove(&*student.name);
-            same.push(others.into_iter().collect::<Vec<_>>().join(", "));
+            let others = others.iter();
+            let words = others.map(|(other, files)| format!("{other} ({})", files.join(", ")));
+            same.push(words.collect::<Vec<_>>().join(", "));
         }
     }
     let mut lines = Vec::new();
@@ -155,6 +74,7 @@ pub fn mark(graded: &mut [Graded], workbooks: &WorkbooksCode) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::outcome::{Judged, Outcome, State};
+    use crate::structure::ComparedFile;
 
     /// A function whose name, comment and layout a copy changes, or whose number differs.
     fn code(name: &str, comment: &str, number: u32) -> String {
@@ -167,7 +87,6 @@ mod tests {
 
     #[test]
     fn copies_are_found_under_other_names() {
-        let structure = |text: &str| Structure::read(text).unwrap();
         let hand_in = |student: &str, code: &str| Graded {
             name: student.to_owned(),
             file_name: student.to_owned(),
@@ -175,7 +94,10 @@ mod tests {
                 stage: "sheet",
                 name: "glass".to_owned(),
                 file: String::new(),
-                structures: vec![structure(code)],
+                files: vec![ComparedFile {
+                    path: "src/glass.rs".to_owned(),
+                    structure: Structure::read(code).unwrap(),
+                }],
                 same_code_as: String::new(),
                 outcome: Outcome::without_answers(State::Right, ""),
             }],
@@ -197,19 +119,13 @@ mod tests {
             .iter()
             .map(|of| &*of.results[0].same_code_as)
             .collect();
-        assert_eq!(same, ["bob, eva", "ada, eva", "ada, bob", "", WORKBOOK]);
-        assert_eq!(lines[1], "  glass of bob: as that of ada, eva");
-        assert_eq!(Structure::read("pub fn a() {}"), None);
-        let solution = with_code("fn a() { missing!(\"one\", 0, { 1 + 2 }) }").unwrap();
-        assert_eq!(solution.replace(' ', ""), "fna(){1+2}");
-    }
-
-    #[test]
-    fn what_the_workbook_gives_is_not_compared() {
-        let long = code("refract", "", 3);
-        let whole = |head: &str| Structure::read(&format!("{head} {{ {long} }}\n"));
-        assert!(whole("fn other() -> u8").is_some());
-        assert_eq!(whole("fn main() -> Result<(), Error>"), None);
-        assert_eq!(whole("testing::examples!"), None);
+        let [ada, bob, eva, workbook] =
+            ["ada", "bob", "eva", WORKBOOK].map(|other| format!("{other} (src/glass.rs)"));
+        let pair = |a: &str, b: &str| format!("{a}, {b}");
+        let expected = [pair(&bob, &eva), pair(&ada, &eva), pair(&ada, &bob)];
+        assert_eq!(same[..3], expected);
+        assert_eq!(same[3..], ["", &*workbook]);
+        let line = "  glass of bob: as that of ada (src/glass.rs), eva (src/glass.rs)";
+        assert_eq!(lines[1], line);
     }
 }

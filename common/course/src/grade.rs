@@ -5,18 +5,19 @@ use std::path::PathBuf;
 use common::text;
 use judge::pictures::Sheet;
 use learn::exercise::{self, Exercise};
-use learn::files;
+use learn::{files, with_code};
 
 use crate::collected::Collected;
-use crate::copies::{self, Structure, WorkbooksCode, with_code};
+use crate::copies::{self, WorkbooksCode};
 use crate::exercise_grading::outcomes;
-use crate::exercises;
 use crate::grading_folder::GradingFolder;
 use crate::handed_file::HandedFile;
 use crate::outcome::{Graded, Judged, Outcome, State};
 use crate::own_program;
 use crate::results;
-use crate::sheet::{self, SheetGrading};
+use crate::sheet_grading::{self, SheetGrading};
+use crate::stages::exercises_until;
+use crate::structure::ComparedFile;
 use crate::submission::{Found, StudentFile, Submission, names};
 use crate::unnamed::Unnamed;
 
@@ -65,11 +66,11 @@ impl Grade {
                 "{shown} is there and not empty; its files are kept, unless --replace is given"
             ));
         }
-        let sheets = sheet::chosen(&self.sheets)?;
+        let sheets = sheet_grading::chosen(&self.sheets)?;
         let sets_exercises = sheets.is_empty() || self.until.is_some();
         if self.exercises.is_empty() && sets_exercises {
             self.exercises
-                .extend(exercises(course, self.until.as_ref())?);
+                .extend(exercises_until(course, self.until.as_ref())?);
         }
         self.exercises
             .sort_by_key(|e| course.iter().position(|of| of == *e));
@@ -90,7 +91,7 @@ impl Grade {
             let names = names(collected.of_nobody.into_iter());
             println!("of no student: {names}");
         }
-        let sheet_grading = SheetGrading {
+        let programs = SheetGrading {
             sheets: &sheets,
             folder: &folder,
             output: self.output.as_deref(),
@@ -101,7 +102,7 @@ impl Grade {
             let files = student.files();
             let mut results =
                 self.judge_exercises(&student.name, &files, course, &folder, &mut unnamed)?;
-            results.extend(sheet_grading.judge(student, &files)?);
+            results.extend(programs.results(student, &files)?);
             let student = Graded {
                 name: student.name.clone(),
                 file_name: student.file_name.clone(),
@@ -141,7 +142,7 @@ impl Grade {
             code.add(e.name, &with_code(&solution)?);
         }
         for sheet in sheets {
-            for answer in sheet::answers(sheet)? {
+            for answer in sheet_grading::answers(sheet)? {
                 code.add(&sheet.name, &files::read(&answer)?);
             }
         }
@@ -170,11 +171,11 @@ impl Grade {
             }
             let mut judged = outcomes(folder, &files);
             for (e, found) in found {
-                let (mut file, mut structures) = (String::new(), Vec::new());
+                let (mut file, mut compared) = (String::new(), Vec::new());
                 let outcome = match (found, judged.remove(e.name)) {
                     (Found::File { path, text }, Some(outcome)) => {
                         file = path;
-                        structures.extend(Structure::read(text));
+                        compared.extend(ComparedFile::read(&format!("{}.rs", e.name), text));
                         unnamed.add(e, student, text, &outcome.unnamed)?;
                         outcome
                     }
@@ -185,7 +186,7 @@ impl Grade {
                     stage: e.stage,
                     name: e.name.to_owned(),
                     file,
-                    structures,
+                    files: compared,
                     same_code_as: String::new(),
                     outcome,
                 });

@@ -12,6 +12,7 @@ use std::process::Command;
 
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
+use learn::starter;
 
 use crate::exercise_record::{record, record_file};
 use crate::handout::{Handout, Workbook, paths_in};
@@ -68,7 +69,7 @@ impl GradingFolder {
         if let Some(fault) = self.faults.borrow().get(e.name) {
             return Ok(fault.clone());
         }
-        let text = &files::starter(e)?;
+        let text = &starter(e)?;
         let built = self.build(&[StudentFile { exercise: e, text }], Limits::All)?;
         let fault =
             (built.end != End::Success).then(|| self.sandbox.words(&built, "does not compile"));

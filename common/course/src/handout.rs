@@ -9,11 +9,11 @@ use std::{fs, io};
 
 use learn::exercise::Exercise;
 use learn::files::{self, with_path};
-use learn::sheet;
+use learn::{sheet, starter};
 
-use crate::exercises;
 use crate::packages::{Package, Packages};
 use crate::program_output::output_of;
+use crate::stages::exercises_until;
 
 /// The files of a workbook by their paths.
 pub type Workbook = BTreeMap<String, Vec<u8>>;
@@ -102,13 +102,13 @@ impl Handout {
         let mut cargo = Command::new("cargo");
         cargo.args(["update", "--workspace", "--offline", "--quiet"]);
         output_of(cargo.current_dir(folder))?;
-        let count = exercises(course, self.until.as_ref())?.len();
+        let count = exercises_until(course, self.until.as_ref())?.len();
         Ok(format!("{shown}: {count} exercises; test it: cargo learn"))
     }
 
     /// The files of the workbook.
     pub fn workbook(&self, course: &'static [Exercise]) -> Result<Workbook, String> {
-        let chosen = exercises(course, self.until.as_ref())?;
+        let chosen = exercises_until(course, self.until.as_ref())?;
         let mut built: Vec<_> = chosen.iter().map(|e| e.stage).collect();
         built.push("learn");
         let Packages { needed, others } = Packages::read(&built)?;
@@ -231,7 +231,7 @@ fn pages<'a>(paths: &'a [String], above: &[Exercise]) -> Result<BTreeSet<&'a str
 fn withhold_solutions(workbook: &mut Workbook, chosen: &[Exercise]) -> Result<(), String> {
     for e in chosen.iter().filter(|e| !e.is_core) {
         let path = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-        workbook.insert(path, files::starter(e)?.into());
+        workbook.insert(path, starter(e)?.into());
     }
     Ok(())
 }
@@ -274,7 +274,7 @@ mod tests {
         let contents = handout.workbook(course).unwrap();
         for e in course.iter().filter(|e| !e.is_core) {
             let path = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-            let starter = files::starter(e).unwrap();
+            let starter = starter(e).unwrap();
             assert_eq!(contents[&path], starter.into_bytes(), "{}", e.name);
         }
         for path in contents.keys() {

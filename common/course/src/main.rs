@@ -20,8 +20,10 @@ mod program_output;
 mod prove;
 mod results;
 mod sandbox;
-mod sheet;
+mod sheet_grading;
 mod spreadsheet;
+mod stages;
+mod structure;
 mod submission;
 mod unnamed;
 
@@ -29,7 +31,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use common::text;
-use learn::exercise::{self, Exercise};
+use learn::exercise;
 
 use defence::Defence;
 use grade::Grade;
@@ -71,15 +73,4 @@ fn run(command: Command) -> Result<String, String> {
         Command::Defence(defence) => defence.run(),
         Command::Prove(prove) => prove.run(course),
     }
-}
-
-/// The exercises of the stages up to the last one.
-fn exercises(
-    course: &'static [Exercise],
-    last: Option<&String>,
-) -> Result<&'static [Exercise], String> {
-    let is_last = |e: &Exercise| last.is_none_or(|last| e.stage.starts_with(last));
-    let end = course.iter().rposition(is_last);
-    let end = end.ok_or("no stage is so called; they are a01 to a07")?;
-    Ok(&course[..=end])
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use judge::answers::StudentAnswer;
 
-use crate::copies::Structure;
+use crate::structure::ComparedFile;
 
 /// What is known about an exercise of a submission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,9 +80,9 @@ pub struct Judged {
     pub name: String,
     /// The student's file, or the folder of the program; empty if there is none.
     pub file: String,
-    /// The code of its files, by which copies are found.
-    pub structures: Vec<Structure>,
-    /// Whose code is the same but for names; empty if nobody's is.
+    /// The files of its code that are compared with those of others.
+    pub files: Vec<ComparedFile>,
+    /// Whose code is the same but for names, and in which of its files; empty if nobody's is.
     pub same_code_as: String,
     pub outcome: Outcome,
 }

@@ -17,11 +17,11 @@ use learn::files::with_path;
 use learn::sheet;
 use serde_json::Value;
 
-use crate::copies::Structure;
 use crate::grading_folder::GradingFolder;
 use crate::handed_file::{Content, HandedFile, MANIFEST, SHEETS, is_brought, is_rust};
 use crate::program_output::output_of;
 use crate::sandbox::{End, Ended, Limits, Place, empty};
+use crate::structure::ComparedFile;
 use manifest::{CRATES, in_grading_folder};
 use sheet_list::SheetList;
 
@@ -141,15 +141,15 @@ impl OwnProgram {
         Ok(program)
     }
 
-    /// The code of its files, without the functions that `cargo learn program` has brought.
-    pub fn structures(&self) -> Vec<Structure> {
-        let mut structures = Vec::new();
+    /// The files of its code, without the functions that `cargo learn program` has brought.
+    pub fn compared_files(&self) -> Vec<ComparedFile> {
+        let mut compared = Vec::new();
         for (path, bytes) in &self.files {
             if is_rust(path) && !is_brought(path) {
-                structures.extend(Structure::read(&String::from_utf8_lossy(bytes)));
+                compared.extend(ComparedFile::read(path, &String::from_utf8_lossy(bytes)));
             }
         }
-        structures
+        compared
     }
 
     /// Writes the program into the grading folder, and builds the one that `cargo run` runs, unless a command starts it.

@@ -15,6 +15,7 @@ use judge::answers::{
 };
 use learn::exercise::{self as exercises, Exercise};
 use learn::files::{self, with_path};
+use learn::starter;
 
 use crate::exercise_record::{record, record_file};
 use crate::sandbox::empty;
@@ -63,7 +64,7 @@ impl Prove {
         let mut starters = Vec::new();
         let mut solutions = Vec::new();
         for e in all {
-            starters.push((*e, files::starter(e)?));
+            starters.push((*e, starter(e)?));
             solutions.push((*e, files::read(&e.solution_file())?));
         }
         problems.extend(check(&starters, "the starter", |e, program| {

@@ -150,7 +150,7 @@ mod tests {
             stage: "a04-intersections",
             name: name.to_owned(),
             file: file.to_owned(),
-            structures: Vec::new(),
+            files: Vec::new(),
             same_code_as: String::new(),
             outcome,
         };

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use learn::exercise::{self, Exercise};
-use learn::files;
+use learn::{files, starter};
 
 const FOLDER: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/class");
 
@@ -77,7 +77,7 @@ fn each_student_gets_a_verdict_of_their_own() {
     // A file that does not compile harms none of the same student.
     hand_in("cleo", "set_pixel", &solution(pixel));
     hand_in("cleo", "diagonal", "pub fn");
-    hand_in("dan", "reflected", &files::starter(reflected).unwrap());
+    hand_in("dan", "reflected", &starter(reflected).unwrap());
     let wrong = solution(reflected).replace("along - rest\n", "along - rest - v\n");
     for student in ["eve", "fay"] {
         hand_in(student, "reflected", &wrong);

@@ -1,11 +1,11 @@
 //! `Exercise`: a row of a stage's list `exercises/exercises.toml`.
 
+use std::fs;
 use std::sync::OnceLock;
-use std::{fs, iter};
 
 use common::row::{self, Row};
 
-use crate::{files, lines};
+use crate::files;
 
 /// The list in the folder of a stage.
 const LIST: &str = "exercises/exercises.toml";
@@ -31,7 +31,7 @@ pub struct Exercise {
     /// The file with the solution: of a core exercise, the lesson.
     pub solution: &'static str,
     /// Words of help, from gentle to plain, without the lines of a solution.
-    words: Vec<&'static str>,
+    pub(crate) hints: Vec<&'static str>,
 }
 
 /// The exercises of all stages.
@@ -90,7 +90,7 @@ fn read_row(stage: &'static str, row: &Row) -> Result<Exercise, String> {
         teaches: leak(row.find("teaches")?.unwrap_or_default()),
         is_core: row.find("core")?.unwrap_or_default(),
         solution: leak(solution),
-        words: hints.into_iter().map(leak).collect(),
+        hints: hints.into_iter().map(leak).collect(),
     };
     row.end()?;
     Ok(exercise)
@@ -152,63 +152,11 @@ impl Exercise {
         }
         paragraphs.join("\n\n")
     }
-
-    /// The hints, from gentle to plain, each below its number; last, of a core exercise, the lines
-    /// of a solution.
-    pub(crate) fn hints(&self) -> Vec<String> {
-        let lines = lines::hint(self);
-        let count = self.words.len() + usize::from(lines.is_some());
-        let words = self.words.iter().map(|words| (*words).to_owned());
-        let mut hints = Vec::new();
-        for (number, words) in iter::zip(1.., words.chain(lines)) {
-            hints.push(format!("Hint {number} of {count}\n\n{words}"));
-        }
-        hints
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
     use super::*;
-
-    /// Each exercise has its task, files and hints; starters lack something, and those of the core
-    /// path name its steps.
-    #[test]
-    fn exercises_have_their_files() {
-        let mut names = BTreeSet::new();
-        for e in read_all().unwrap() {
-            let (name, starter) = (e.name, files::starter(e).unwrap());
-            assert!(names.insert(name), "{name} is the name of two exercises");
-            assert!(!e.task().is_empty(), "{name}: its title heads no section");
-            for part in ["testing::missing(", "testing::examples!"] {
-                assert!(starter.contains(part), "{name}: {part}");
-            }
-            assert!(!starter.contains("missing!("), "{name}");
-            if e.is_core {
-                let parts = starter.matches("testing::missing(").count();
-                for step in ["// 1. ", "// 2. "] {
-                    assert_eq!(starter.matches(step).count(), parts, "{name}: {step}");
-                }
-            }
-            let hints = e.hints();
-            assert!(
-                hints.len() > usize::from(e.is_core),
-                "exercises.toml lacks a hint of {name}"
-            );
-            let last = hints.last().unwrap();
-            assert_eq!(last.contains(lines::BEGINNING), e.is_core, "{name}: {last}");
-            assert!(
-                files::shortest(e.solution).exists(),
-                "{name} lacks {}",
-                e.solution
-            );
-            assert_eq!(!e.solution.contains("/solutions/"), e.is_core, "{name}");
-            let check = format!("{}/tests/exercises/{name}.rs", e.stage);
-            assert!(files::shortest(&check).exists(), "{name} lacks {check}");
-        }
-    }
 
     #[test]
     fn a_row_that_lacks_something_is_named() {

@@ -8,11 +8,11 @@
 mod book;
 mod build;
 mod cargo_messages;
+mod check;
 pub mod exercise;
 pub mod files;
-mod judgement;
+mod hints;
 mod keys;
-mod lines;
 mod output;
 mod own_program;
 mod page;
@@ -26,6 +26,8 @@ mod screen;
 pub mod sheet;
 #[cfg(unix)]
 mod signals;
+mod starter;
+mod student_file;
 mod submit;
 pub mod tokens;
 mod watch;
@@ -41,14 +43,17 @@ use common::text;
 
 pub use build::arguments;
 pub use cargo_messages::{Kind, find_program, metadata, program_of};
+pub use check::lacks;
+use check::{ask_corpus, check_file};
 use exercise::Exercise;
-pub use judgement::lacks;
-use judgement::{ask_corpus, judge};
-pub use own_program::{MANIFEST, complete_manifest};
+pub use files::MANIFEST;
+use hints::hints;
+pub use own_program::complete_manifest;
 use phase::Phase;
 use progress::Progress;
 pub use refusal::refusal;
 use screen::Screen;
+pub use starter::{starter, with_code};
 pub use submit::{SHEETS, is_added};
 
 /// The exercises whose code the corpus of ray failures asks.
@@ -126,14 +131,14 @@ fn run() -> Result<String, String> {
         None => with_chosen(&shown, course, |e| watch::watch(course, e)),
         Some(Command::List) => Ok(Screen::new().wrap(&Progress::read().list(course))),
         Some(Command::Hint(shown)) => with_chosen(&shown, course, |e| {
-            let hints = Screen::new().wrap_markdown(&e.hints().join("\n\n"));
+            let hints = Screen::new().wrap_markdown(&hints(e).join("\n\n"));
             Ok(format!("{}\n\n{hints}", e.title))
         }),
         Some(Command::Check(Check { all: true, .. })) => check_all(course),
         Some(Command::Check(Check { one, .. })) => with_chosen(&one, course, |e| check(course, e)),
         Some(Command::Corpus) => corpus(course),
         Some(Command::Book) => book::build(course),
-        Some(Command::Reset(shown)) => with_chosen(&shown, course, files::reset),
+        Some(Command::Reset(shown)) => with_chosen(&shown, course, student_file::reset),
         Some(Command::Submit(submit)) => submit.run(course),
         Some(Command::Program(program)) => program.run(course),
         Some(Command::Sheet(sheet)) => sheet.run(),
@@ -179,10 +184,10 @@ fn with_chosen(
 /// Checks an exercise, and prints all that the check says. Returns the verdict, which is an error
 /// if the exercise is not done.
 fn check(course: &[Exercise], e: &Exercise) -> Result<String, String> {
-    files::begin(e)?;
+    student_file::begin(e)?;
     let screen = Screen::new();
     let mut progress = Progress::read();
-    let report = judge(e, &mut progress, screen.space(), &mut told(""));
+    let report = check_file(e, &mut progress, screen.space(), &mut told(""));
     print(&report.details(&screen))?;
     if !report.is_done {
         return Err(report.verdict);
@@ -199,9 +204,9 @@ fn check_all(course: &[Exercise]) -> Result<String, String> {
     let mut progress = Progress::read();
     let space = Screen::new().space();
     let (mut count, mut open) = (0, Vec::new());
-    for e in course.iter().filter(|e| files::is_begun(e)) {
+    for e in course.iter().filter(|e| student_file::is_begun(e)) {
         let about = format!(": {}", e.name);
-        if !judge(e, &mut progress, space, &mut told(&about)).is_done {
+        if !check_file(e, &mut progress, space, &mut told(&about)).is_done {
             open.push(e.name);
         }
         count += 1;
@@ -222,7 +227,7 @@ fn corpus(course: &[Exercise]) -> Result<String, String> {
     let space = Screen::new().space();
     let mut words = Vec::new();
     for e in course {
-        if SHAPES.contains(&e.name) && files::is_begun(e) {
+        if SHAPES.contains(&e.name) && student_file::is_begun(e) {
             words.push(ask_corpus(e, space, &mut told(&format!(": {}", e.name)))?);
         }
     }

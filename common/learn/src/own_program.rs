@@ -9,19 +9,19 @@ mod manifest;
 mod tests;
 
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf, absolute};
-use std::{fs, io};
 
 use common::text;
 
 use crate::exercise::Exercise;
-use crate::files::{self, with_path};
+use crate::files::{self, MANIFEST, existing, with_path, write};
 use crate::progress::Progress;
 use crate::public_items::public_items;
 use crate::screen::Screen;
-use crate::{print, sheet, tokens};
+use crate::{print, sheet, student_file, tokens};
 use manifest::Manifest;
-pub use manifest::{MANIFEST, complete as complete_manifest};
+pub use manifest::complete as complete_manifest;
 
 /// Exercises whose functions take types that only their checks have.
 const LEFT_OUT: [&str; 2] = ["chain", "stripe"];
@@ -68,7 +68,7 @@ impl Command {
         let progress = Progress::read();
         let mut done = BTreeMap::new();
         for e in course.iter().filter(|e| progress.is_done(e)) {
-            done.insert(e.name, files::text_of(&files::yours(e))?);
+            done.insert(e.name, files::text_of(&student_file::path(e))?);
         }
         let brought = Brought::new(folder, course, &done)?;
         let screen = Screen::new();
@@ -221,14 +221,6 @@ impl Brought {
     }
 }
 
-/// What a file has now; none if there is no file.
-fn existing(path: &Path) -> Result<Option<Vec<u8>>, String> {
-    match fs::read(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        read => read.map(Some).map_err(with_path(path)),
-    }
-}
-
 /// The text of an exercise's file in the program: without the examples, which need the check.
 fn in_program(text: &str) -> Result<String, String> {
     let text = tokens::replace(text, &|tokens| {
@@ -247,11 +239,4 @@ fn module(name: &str, text: &str) -> Result<String, String> {
     let names: Vec<_> = items.map(|item| item.name).collect();
     let names = names.join(", ");
     Ok(format!("\nmod {name};\npub use {name}::{{{names}}};\n"))
-}
-
-fn write(path: &Path, text: &str) -> Result<(), String> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).map_err(with_path(folder))?;
-    }
-    fs::write(path, text).map_err(with_path(path))
 }

@@ -8,12 +8,13 @@ use std::time::Duration;
 use common::text;
 use console::Key;
 
+use crate::check::check_file;
 use crate::exercise::Exercise;
-use crate::files::{self, Saved};
-use crate::judgement::judge;
+use crate::hints::hints;
 use crate::keys::Typed;
 use crate::report::Report;
 use crate::screen::Screen;
+use crate::student_file::{self, Saved};
 use crate::watch::{PAUSE, Session};
 
 const KEYS: &str = "h hint  n next  l list  q quit";
@@ -55,7 +56,7 @@ impl Page {
     /// Checks the file whenever it is saved, and obeys keys, until the student goes on.
     pub fn work(&mut self, session: &mut Session) -> Result<Step, String> {
         loop {
-            let saved = files::saved(self.exercise);
+            let saved = student_file::saved(self.exercise);
             let mut key = None;
             if self.checked != Some(saved) {
                 self.checked = Some(saved);
@@ -100,7 +101,7 @@ impl Page {
         screen.show(&self.task_and_notes(screen), "");
         let mut stopping_key = None;
         let mut shown = String::new();
-        let report = judge(e, progress, screen.space(), &mut |phase, elapsed| {
+        let report = check_file(e, progress, screen.space(), &mut |phase, elapsed| {
             let status = format!("{}  {KEYS_OF_CHECK}", phase.words(elapsed));
             if shown != status {
                 screen.show_status(&status);
@@ -121,11 +122,11 @@ impl Page {
                 // No other key stops a check.
                 _ => {}
             }
-            files::saved(e) == saved
+            student_file::saved(e) == saved
         });
         self.report = Some(report);
         // After another save the next check follows at once.
-        if files::saved(e) == saved && stopping_key.is_none() {
+        if student_file::saved(e) == saved && stopping_key.is_none() {
             self.draw(session);
         }
         stopping_key
@@ -134,14 +135,14 @@ impl Page {
     fn say_deleted(&mut self, session: &Session) {
         self.report = None;
         self.notes.clear();
-        let file = files::yours(self.exercise);
+        let file = student_file::path(self.exercise);
         let note = format!("{} is deleted; Enter begins it again", text::path(&file));
         self.note(session, &note);
     }
 
     /// Says that the file of another exercise is saved, which nothing checks here.
     fn say_other_saved(&mut self, session: &mut Session) {
-        let saved: Vec<_> = session.course.iter().map(files::saved).collect();
+        let saved: Vec<_> = session.course.iter().map(student_file::saved).collect();
         let before = mem::replace(&mut session.saved, saved);
         let all = session.course.iter().zip(&before).zip(&session.saved);
         let mut other = None;
@@ -169,7 +170,7 @@ impl Page {
             Key::Char('n') => return Ok(Some(Step::Following)),
             Key::Enter if session.progress.is_done(e) => return Ok(Some(Step::Following)),
             Key::Enter => {
-                files::begin(e)?;
+                student_file::begin(e)?;
                 self.checked = None;
             }
             Key::Char('h') => {
@@ -186,7 +187,7 @@ impl Page {
 
     /// The hint after the last one that was asked for.
     fn next_hint(&mut self, screen: &Screen) -> String {
-        let hints = self.exercise.hints();
+        let hints = hints(self.exercise);
         let Some(hint) = hints.get(self.hints) else {
             self.hints = 0;
             self.notes.clear();

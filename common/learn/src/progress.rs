@@ -15,6 +15,7 @@ use judge::pictures::Sheet;
 use crate::exercise::Exercise;
 use crate::files;
 use crate::sheet;
+use crate::student_file;
 
 const FILE: &str = ".learn";
 
@@ -69,7 +70,7 @@ impl Progress {
         let Some(hash) = self.hashes.get(exercise.name) else {
             return false;
         };
-        fs::read(files::yours(exercise)).is_ok_and(|text| fnv1a(&text) == *hash)
+        fs::read(student_file::path(exercise)).is_ok_and(|text| fnv1a(&text) == *hash)
     }
 
     /// Records what a check says about a text. An error says why it is not kept: then this program
@@ -95,7 +96,7 @@ impl Progress {
     pub fn mark(&self, exercise: &Exercise) -> &'static str {
         if self.is_done(exercise) {
             "done"
-        } else if files::is_begun(exercise) {
+        } else if student_file::is_begun(exercise) {
             "begun"
         } else {
             ""

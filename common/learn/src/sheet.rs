@@ -10,8 +10,7 @@ use common::text;
 use judge::pictures::{Facts, Judgement, NAMES, Sheet, ask_facts};
 
 use crate::build::{Build, build_own};
-use crate::files::{self, with_path};
-use crate::own_program::MANIFEST;
+use crate::files::{self, MANIFEST, with_path};
 use crate::screen::Screen;
 use crate::{print, told};
 pub use own_program::OwnProgram;

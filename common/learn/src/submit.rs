@@ -15,6 +15,7 @@ use rawzip::{CompressionMethod, ZipArchive, ZipArchiveWriter};
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::progress::Progress;
+use crate::student_file;
 
 /// What systems, tools and Cargo add to a folder, and no student.
 const ADDED: [&str; 7] = [
@@ -51,7 +52,10 @@ impl Submit {
             let name = text::name(&name);
             return Err(format!("\"{name}\" is no name of letters, digits, - and _"));
         }
-        let begun: Vec<_> = course.iter().filter(|e| files::is_begun(e)).collect();
+        let begun: Vec<_> = course
+            .iter()
+            .filter(|e| student_file::is_begun(e))
+            .collect();
         if begun.is_empty() && self.program.is_none() {
             return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
         }
@@ -110,7 +114,7 @@ pub fn is_added(name: &str) -> bool {
 /// Adds the files of exercises.
 fn pack(zip: &mut ZipArchiveWriter<Vec<u8>>, begun: &[&Exercise]) -> Result<(), String> {
     for e in begun {
-        let yours = files::yours(e);
+        let yours = student_file::path(e);
         if yours.is_symlink() {
             let path = text::path(&yours);
             return Err(format!("{path} {LINK}"));

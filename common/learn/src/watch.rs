@@ -3,11 +3,11 @@
 use std::time::Duration;
 
 use crate::exercise::Exercise;
-use crate::files::{self, Saved};
 use crate::keys::Keys;
 use crate::page::{Page, Step};
 use crate::progress::Progress;
 use crate::screen::Screen;
+use crate::student_file::{self, Saved};
 
 /// Time between two looks at the file and the keyboard.
 pub const PAUSE: Duration = Duration::from_millis(50);
@@ -31,11 +31,11 @@ pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<St
         progress: Progress::read(),
         screen: Screen::new(),
         keys: Keys::default(),
-        saved: course.iter().map(files::saved).collect(),
+        saved: course.iter().map(student_file::saved).collect(),
     };
     let mut page = Page::new(first);
     loop {
-        files::begin(page.exercise)?;
+        student_file::begin(page.exercise)?;
         page = match page.work(&mut session)? {
             Step::Quit => break,
             Step::Following => match session.progress.next(course, Some(page.exercise)) {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-use learn::{exercise, files};
+use learn::{exercise, files, starter};
 
 /// Names that the standard library has, too, of which a learner of Rust knows.
 const OF_RUST: [&str; 5] = ["default", "find", "from", "get", "map"];
@@ -16,7 +16,7 @@ fn starters_name_what_solutions_call() {
     let mut lacking = Vec::new();
     for e in exercise::read_all().unwrap() {
         let solution = files::read(&e.solution_file()).unwrap();
-        let starter = files::starter(e).unwrap();
+        let starter = starter(e).unwrap();
         for call in calls(&solution).difference(&calls(&starter)) {
             let name = call.rsplit("::").next().unwrap();
             let is_own = solution.contains(&format!("let {name} = |"));

@@ -7,11 +7,8 @@ use std::process::Command;
 use common::text;
 use toml::de::{DeTable, DeValue};
 
-use super::{existing, write};
-use crate::files::{self, with_path};
+use crate::files::{self, MANIFEST, existing, with_path, write};
 
-/// The manifest of a program.
-pub const MANIFEST: &str = "Cargo.toml";
 const LOCK: &str = "Cargo.lock";
 
 /// In a manifest without a profile for `cargo run`, what draws is optimised, and other libraries stay as they are built.

@@ -7,6 +7,7 @@ use common::{Color, Image, picture_file};
 
 use super::*;
 use crate::exercise::{find, read_all};
+use crate::starter::starter;
 
 /// Libraries from outside are built as for the workbook, and nothing else is optimised: so it is
 /// soon built.
@@ -74,7 +75,7 @@ fn the_program_of_the_book_draws_a_picture_on_each_page() {
     let folder = folder.path();
     write(&folder.join(MANIFEST), QUICK).unwrap();
 
-    let plane = files::starter(find("plane").unwrap()).unwrap();
+    let plane = starter(find("plane").unwrap()).unwrap();
     let code = "let d = ray.direction().dot(self.n);\n        \
                 let t = (self.a - ray.origin()).dot(self.n) / d;\n        \
                 within.contains(t).then(|| Hit::new(t, self.n))";

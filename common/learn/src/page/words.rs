@@ -7,6 +7,8 @@ use super::{KEYS, Page};
 use crate::files;
 use crate::report::Report;
 use crate::screen::Screen;
+use crate::starter::starter;
+use crate::student_file;
 use crate::watch::Session;
 
 const SAVE: &str = "save the file to check it";
@@ -45,7 +47,7 @@ impl Page {
 
     fn heading(&self, screen: &Screen) -> String {
         let e = self.exercise;
-        let (title, minutes, file) = (e.title, e.minutes, files::yours(e));
+        let (title, minutes, file) = (e.title, e.minutes, student_file::path(e));
         screen.wrap(&format!(
             "{title}, {minutes} minutes, in {}",
             text::path(&file)
@@ -62,7 +64,7 @@ impl Page {
         let verdict = verdict.green();
         // A workbook without solutions has starters in their place.
         let solution = files::read(self.exercise.solution);
-        if solution.is_err() || solution == files::starter(self.exercise) {
+        if solution.is_err() || solution == starter(self.exercise) {
             return format!("{details}{verdict}");
         }
         let solution = files::shortest(self.exercise.solution);

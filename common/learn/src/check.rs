@@ -1,4 +1,4 @@
-//! `judge`: checks a student's file: builds the test program of a stage with it, and runs it.
+//! Checks a student's file: builds the test program of a stage with it, and runs it.
 
 use std::path::Path;
 use std::process::Command;
@@ -19,6 +19,8 @@ use crate::public_items::{PublicItem, public_items};
 use crate::refusal::refusal;
 use crate::report::Report;
 use crate::screen::Space;
+use crate::starter::starter;
+use crate::student_file;
 
 /// The longest time in seconds that a check may take, unless the variable [`SECONDS`] is another.
 const MAX_SECONDS: u64 = 10;
@@ -27,8 +29,8 @@ const MAX_SECONDS: u64 = 10;
 const CHECKS: &str = "tests/exercises/";
 
 /// Checks a student's file, and records whether it is done. Output is cut to the space.
-pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watcher) -> Report {
-    let file = files::yours(e);
+pub fn check_file(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watcher) -> Report {
+    let file = student_file::path(e);
     let text = match files::text_of(&file) {
         Ok(text) => text,
         Err(problem) => return Report::new(e, &problem),
@@ -78,7 +80,7 @@ fn build_and_run(
         Build::Program(program) => {
             let mut check = limited(program.as_ref());
             check.arg(e.name).env(MODE, mode.name());
-            run_check(e, check, program.as_ref(), space, watcher)
+            run_program(e, check, program.as_ref(), space, watcher)
         }
         Build::Failed(printed) => Ok(Some(does_not_compile(e, &printed))),
         Build::Stopped => Ok(None),
@@ -87,7 +89,7 @@ fn build_and_run(
 
 /// The compiler's words, without errors in the check, into which they would send the student.
 fn does_not_compile(e: &Exercise, printed: &str) -> Report {
-    let file = files::yours(e);
+    let file = student_file::path(e);
     let text = files::text_of(&file).unwrap_or_default();
     let (message, place) = first_error(printed);
     let is_own = place.starts_with(&*text::path(&file));
@@ -118,7 +120,7 @@ fn does_not_compile(e: &Exercise, printed: &str) -> Report {
 /// A public function of the starter that takes or returns other types in a student's file, in words.
 fn differing_signature(e: &Exercise, text: &str) -> Option<String> {
     let yours = public_items(text).ok()?;
-    let wanted = files::starter(e).and_then(|starter| public_items(&starter));
+    let wanted = starter(e).and_then(|starter| public_items(&starter));
     for item in wanted.ok()? {
         let is_other = |other: &&PublicItem| other.name == item.name && other.types != item.types;
         if item.beginning.ends_with(&format!("fn {}", item.name))
@@ -138,7 +140,7 @@ fn differing_signature(e: &Exercise, text: &str) -> Option<String> {
 #[must_use]
 pub fn lacks(e: &Exercise, text: &str) -> Option<String> {
     let yours = public_items(text).ok()?;
-    let wanted = files::starter(e).and_then(|starter| public_items(&starter));
+    let wanted = starter(e).and_then(|starter| public_items(&starter));
     let mut lacking = Vec::new();
     for item in wanted.ok()? {
         if !yours.iter().any(|other| other.name == item.name) {
@@ -159,7 +161,7 @@ fn first_error(printed: &str) -> (String, String) {
 }
 
 /// Runs the test program. There is no report if the watcher stops it.
-fn run_check(
+fn run_program(
     e: &Exercise,
     mut check: Command,
     program: &Path,

@@ -61,8 +61,8 @@ pub struct SheetGrading<'a> {
 }
 
 impl SheetGrading<'_> {
-    /// Judges the programs that a student has handed in.
-    pub fn judge(&self, student: &Student, files: &[HandedFile]) -> Result<Vec<Judged>, String> {
+    /// The results of the programs that a student has handed in.
+    pub fn results(&self, student: &Student, files: &[HandedFile]) -> Result<Vec<Judged>, String> {
         let all = read_all()?;
         let mut results = Vec::new();
         for sheet in self.sheets {
@@ -70,7 +70,7 @@ impl SheetGrading<'_> {
                 stage: "sheet",
                 name: sheet.name.clone(),
                 file: String::new(),
-                structures: Vec::new(),
+                files: Vec::new(),
                 same_code_as: String::new(),
                 outcome: Outcome::without_answers(State::NotHandedIn, ""),
             };
@@ -78,7 +78,7 @@ impl SheetGrading<'_> {
                 Ok(None) => {}
                 Ok(Some(program)) => {
                     judged.outcome = self.judge_found(&program, sheet, student);
-                    judged.structures = program.structures();
+                    judged.files = program.compared_files();
                     judged.file = program.folder;
                 }
                 Err(why) => judged.outcome = needs_a_look(&why),
