@@ -135,7 +135,7 @@ fn no_key_of_a_material_is_left_out_by_the_stages_that_know_it() {
                 let is_written = written.contains(&(*key, numbers.clone()));
                 assert!(
                     is_written,
-                    "stage {stage} takes no {key}, or loses it:\n{text}"
+                    "stage {stage} leaves out {key}, which keys.md allows here:\n{text}"
                 );
                 *seen.entry(*key).or_insert(0) += 1;
             }
