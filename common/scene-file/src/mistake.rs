@@ -39,31 +39,57 @@ pub fn mistake(text: &str, error: &ParserError) -> Error {
     // The parser guesses these words, of which a scene file takes none.
     let is_guess = said.ends_with("expected `nan`") || said.ends_with("expected `inf`");
     let message = if is_guess { "invalid value" } else { &said };
-    let hint = hint(message, line).map_or(String::new(), |hint| format!(" ({hint})"));
-    let (message, line) = (text::visible(message), text::name(line.trim()));
-    Error::new(at, format!("{message}{hint}: {line}"))
+    let said = hint(message, line).map_or_else(|| text::visible(message), str::to_owned);
+    Error::new(at, format!("{said}: {}", text::name(line.trim())))
 }
 
-/// What was probably meant.
+/// What is right instead of what was probably meant.
 fn hint(message: &str, line: &str) -> Option<&'static str> {
-    let value = line.split_once('=').map_or("", |(_, value)| value.trim());
-    if message.starts_with("duplicate key") {
+    // Of a list over several lines, a line has no key.
+    let value = line.split_once('=').map_or(line, |(_, value)| value).trim();
+    let begins_with = |letters: &str| value.starts_with(|first| letters.contains(first));
+    let has = |marks: &[&str]| marks.iter().any(|mark| line.contains(mark));
+    if message.contains("recur") {
+        None
+    } else if message.starts_with("duplicate key") {
         Some(
-            "a key stands once in its table, and a table of which there may be several has two \
+            "it is there already: a key stands once in its table, and a table of which there may be several has two \
              pairs of brackets, such as [[sphere]]",
         )
     } else if message.contains("between array elements") {
         Some("the list before this place has no ] at its end, or lacks a comma")
     } else if line.contains('\\') {
         Some(BACKSLASH)
-    } else if ["//", "/*", "--", ";"]
-        .iter()
-        .any(|mark| line.contains(mark))
-    {
+    } else if has(&["//", "/*", "--", ";"]) {
         Some("a comment begins with #, and nothing else stands behind a value")
-    } else if value.starts_with(|first: char| first.is_ascii_digit() || ".+-(".contains(first)) {
-        Some("a number is such as 0.8, without a unit and not computed, a list such as [0, 3, 9]")
-    } else if value.starts_with(char::is_alphabetic) && !message.contains("quoted") {
+    } else if line.starts_with('[') && (message.contains("table") || message.contains("key")) {
+        Some(
+            "a header stands alone in its line, such as [camera] or [[sphere]], and a name with other \
+             characters than a to z, 0 to 9, - and _ in quotation marks, such as [material.\"Käse\"]",
+        )
+    } else if message.starts_with("key with no value") {
+        Some("a key has = and a value behind it, such as radius = 0.8")
+    } else if value.is_empty() || value.starts_with('#') {
+        Some(
+            "behind = a value is missing; one with # stands in quotation marks, such as \"#ff8000\"",
+        )
+    } else if begins_with("\"'") {
+        Some(
+            "a text ends with the quotation mark with which it begins, and nothing stands behind it",
+        )
+    } else if value.starts_with('[')
+        && (message.contains("newline") || message.contains("unclosed"))
+    {
+        Some("a list has a ] for each [, and nothing stands behind it in its line")
+    } else if line.contains('{') {
+        Some(
+            "braces are such as { scale = [1, 2, 1] }, for a step of a transform; a list is such as [0, 3, 9]",
+        )
+    } else if begins_with(".+-(<[") || value.starts_with(|first: char| first.is_ascii_digit()) {
+        Some(
+            "a number is such as 0.8, without a unit and not computed, a list such as [0, 3, 9], with commas",
+        )
+    } else if value.starts_with(char::is_alphabetic) {
         Some(
             "a number is such as 0.8, not computed, a list such as [0, 3, 9], and a text stands in \
              quotation marks, such as \"red\"",

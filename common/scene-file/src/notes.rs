@@ -1,5 +1,7 @@
 //! `notes`: remarks on a scene file that is right, but may not show what was meant.
 
+use std::collections::BTreeSet;
+
 use common::text;
 
 use crate::{Data, Error, Item, SceneFile};
@@ -15,10 +17,13 @@ impl SceneFile {
     #[must_use]
     pub fn notes(&self, name: &str, text: &str) -> Vec<String> {
         let mut notes = self.notes.clone();
+        let mut unseen = Vec::new();
         if self.shapes.iter().all(|shape| !has_shape(shape)) {
             notes.push(format!(
                 "{name} has no shape, so that its picture has the color of the background only"
             ));
+        } else {
+            self.add_unseen(&mut unseen);
         }
         let mut bright = Vec::new();
         let mut tiny = Vec::new();
@@ -34,7 +39,7 @@ impl SceneFile {
         for item in self.lights.iter().chain([&self.camera]) {
             add_tiny_angles(item, &mut tiny);
         }
-        for (mut remarks, kind) in [(bright, "colours"), (tiny, "angles")] {
+        for (mut remarks, kind) in [(bright, "colours"), (tiny, "angles"), (unseen, "tables")] {
             remarks.sort_by_key(|error| error.at);
             if let Some(first) = remarks.first() {
                 let more = match remarks.len() {
@@ -45,6 +50,32 @@ impl SceneFile {
             }
         }
         notes
+    }
+
+    /// Adds the tables that nobody sees: definitions that are not used, and those without shapes.
+    fn add_unseen(&self, unseen: &mut Vec<Error>) {
+        let mut tables: Vec<_> = self.shapes.iter().chain(&self.definitions).collect();
+        let mut next = 0;
+        while let Some(table) = tables.get(next) {
+            tables.extend(&table.tables);
+            next += 1;
+        }
+        let used: BTreeSet<_> = tables.iter().filter_map(|table| table.used).collect();
+        for (index, definition) in self.definitions.iter().enumerate() {
+            // Those of repeats have no names.
+            if !definition.name.is_empty() && !used.contains(&index) {
+                let name = text::name(&definition.name);
+                let text =
+                    format!("no [[use]] names the definition \"{name}\", so that nobody sees it");
+                unseen.push(Error::new(definition.at, text));
+            }
+        }
+        for table in tables {
+            if table.kind.has_shapes() && table.shapes().next().is_none() {
+                let text = format!("{} has no shape", table.kind.header);
+                unseen.push(Error::new(table.at, text));
+            }
+        }
     }
 }
 

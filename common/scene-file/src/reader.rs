@@ -205,10 +205,10 @@ impl Reader<'_> {
             }
             DeValue::Table(_) if self.text[value.span().start..].starts_with('{') => {
                 let name = key.name;
-                let text = format!(
-                    "{name} may stand there several times, so its tables are a list: {name} = [{{ ... }}]"
-                );
-                Err(error(value, text))
+                Err(error(
+                    value,
+                    format!("{name} is a list: {name} = [{{ ... }}]"),
+                ))
             }
             _ => Err(wrong(key, value)),
         }
