@@ -54,7 +54,8 @@ enum Task {
         compare: Option<PathBuf>,
     },
     /// Changes the pages for mdBook.
-    #[command(hide = true)]
+    // clap would propose its name for a misspelt `record`.
+    #[command(hide = true, name = "mdbook")]
     Preprocess {
         /// The words by which mdBook asks whether its kind of output is served.
         words: Vec<String>,

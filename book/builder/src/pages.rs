@@ -51,7 +51,7 @@ fn command(module: Option<&LiveModule>) -> Result<Command, String> {
     let mut mdbook = mdbook::command();
     mdbook.args(["build", "book"]);
     let this = std::env::current_exe().map_err(|error| error.to_string())?;
-    let preprocessor = format!("'{}' preprocess", this.display());
+    let preprocessor = format!("'{}' mdbook", this.display());
     mdbook.env("MDBOOK_PREPROCESSOR__BUILDER__COMMAND", preprocessor);
     if module.is_some() {
         let scripts =

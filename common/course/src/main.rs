@@ -51,7 +51,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    match run(Command::parse()) {
+    match run(learn::parse()) {
         Ok(words) => {
             println!("{words}");
             ExitCode::SUCCESS

@@ -38,6 +38,7 @@ use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 use std::time::Duration;
 
+use clap::error::ContextKind;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use common::text;
 
@@ -126,7 +127,7 @@ fn run() -> Result<String, String> {
     let _ = signals::clean_up_at_signals();
     let course = exercise::read_all()?;
     check_first_word()?;
-    let CommandLine { command, shown } = CommandLine::parse();
+    let CommandLine { command, shown } = parse();
     match command {
         None => with_chosen(&shown, course, |e| watch::watch(course, e)),
         Some(Command::List) => Ok(Screen::new().wrap(&Progress::read().list(course))),
@@ -145,26 +146,52 @@ fn run() -> Result<String, String> {
     }
 }
 
-/// The exercise of this name. The error is the nearest name of an exercise or a command.
-fn named(word: &str) -> Result<&'static Exercise, String> {
-    exercise::find(word).map_err(|problem| {
-        let commands = CommandLine::command();
-        let mut names = commands.get_subcommands().map(clap::Command::get_name);
-        match names.find(|name| strsim::jaro(name, word) > ALIKE) {
-            Some(name) => format!("the nearest is the command {name}"),
-            None => problem,
-        }
+/// Reads the command line. No argument begins with a hyphen, as clap supposes of a flag that it does not know.
+#[must_use]
+pub fn parse<T: Parser>() -> T {
+    T::try_parse().unwrap_or_else(|mut error| {
+        error.remove(ContextKind::Suggested);
+        error.exit()
     })
 }
 
-/// An error if several words begin with one that is neither an exercise nor a command.
+/// The exercise of this name, or the only one of whose name it is a part. The error has the names that may be meant.
+fn named(word: &str) -> Result<&'static Exercise, String> {
+    let problem = match exercise::find(word) {
+        Ok(e) => return Ok(e),
+        Err(problem) => problem,
+    };
+    let commands = CommandLine::command();
+    let mut names = commands.get_subcommands().map(clap::Command::get_name);
+    if let Some(name) = names.find(|name| strsim::jaro(name, word) > ALIKE) {
+        return Err(format!("the nearest is the command {name}"));
+    }
+    let has_part = |e: &&Exercise| !word.is_empty() && e.name.contains(&word.replace('-', "_"));
+    let found: Vec<_> = exercise::read_all()?.iter().filter(has_part).collect();
+    match &*found {
+        [] => Err(problem),
+        [e] => Ok(e),
+        several => {
+            let names: Vec<_> = several.iter().map(|e| e.name).collect();
+            Err(format!("it is a part of {}", names.join(", ")))
+        }
+    }
+}
+
+/// An error if several words begin with one that is no command.
 fn check_first_word() -> Result<(), String> {
     let mut words = env::args().skip(1);
-    if let (Some(word), Some(_)) = (words.next(), words.next())
+    if let (Some(word), Some(next)) = (words.next(), words.next())
         && !word.starts_with('-')
         && CommandLine::command().find_subcommand(&word).is_none()
     {
-        named(&word).map_err(|problem| format!("{}: {problem}", text::name(&word)))?;
+        let e = named(&word).map_err(|problem| format!("{}: {problem}", text::name(&word)))?;
+        if !next.starts_with('-') {
+            let name = e.name;
+            return Err(format!(
+                "a command stands before the name of its exercise, such as `cargo learn hint {name}`"
+            ));
+        }
     }
     Ok(())
 }

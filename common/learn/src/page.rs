@@ -17,12 +17,14 @@ use crate::screen::Screen;
 use crate::student_file::{self, Saved};
 use crate::watch::{PAUSE, Session};
 
+const CHOOSE: &str = "up and down, or k and j, choose an exercise of any stage, and Enter opens it";
 const KEYS: &str = "h hint  n next  l list  q quit";
 const KEYS_OF_CHECK: &str = "s stop  h hint  n next  q quit";
 
 /// Where the student goes.
 pub enum Step {
     Following,
+    To(&'static Exercise),
     Quit,
 }
 
@@ -35,6 +37,8 @@ pub struct Page {
     checked: Option<Saved>,
     /// Answers to keys since the check.
     notes: Vec<String>,
+    /// The number of the exercise that is chosen in the list; none while no list is shown.
+    chosen: Option<usize>,
     /// How many hints have been asked for.
     hints: usize,
     /// The width for which it is drawn.
@@ -48,6 +52,7 @@ impl Page {
             report: None,
             checked: None,
             notes: Vec::new(),
+            chosen: None,
             hints: 0,
             width: None,
         }
@@ -97,6 +102,7 @@ impl Page {
         } = session;
         self.report = None;
         self.notes.clear();
+        self.chosen = None;
         self.width = screen.width();
         screen.show(&self.task_and_notes(screen), "");
         let mut stopping_key = None;
@@ -165,6 +171,19 @@ impl Page {
     /// Does what a key asks for.
     fn obey(&mut self, key: &Key, session: &mut Session) -> Result<Option<Step>, String> {
         let e = self.exercise;
+        if let Some(chosen) = self.chosen.take() {
+            let last = session.course.len() - 1;
+            match key {
+                Key::Enter => return Ok(Some(Step::To(&session.course[chosen]))),
+                Key::ArrowUp | Key::Char('k') => self.chosen = Some(chosen.saturating_sub(1)),
+                Key::ArrowDown | Key::Char('j') => self.chosen = Some(last.min(chosen + 1)),
+                _ => {}
+            }
+            if self.chosen.is_some() {
+                self.show_list(session);
+                return Ok(None);
+            }
+        }
         match key {
             Key::Char('q') | Key::CtrlC => return Ok(Some(Step::Quit)),
             Key::Char('n') => return Ok(Some(Step::Following)),
@@ -177,7 +196,10 @@ impl Page {
                 let hint = self.next_hint(&session.screen);
                 self.note(session, &hint);
             }
-            Key::Char('l') => self.list(session),
+            Key::Char('l') => {
+                self.chosen = session.course.iter().position(|other| other == e);
+                self.show_list(session);
+            }
             // A stray key of a terminal changes nothing; a wrong line in a pipe is answered.
             _ if session.screen.is_terminal() => {}
             _ => self.note(session, KEYS),
@@ -197,16 +219,24 @@ impl Page {
         screen.wrap_markdown(hint.trim())
     }
 
-    /// Lists the exercises of the stage, which fit below the task.
-    fn list(&mut self, session: &Session) {
+    /// The exercises of the stage in which one is chosen, which fit below the task; empty if none is.
+    fn list(&self, session: &Session) -> String {
+        let Some(chosen) = self.chosen.map(|number| &session.course[number]) else {
+            return String::new();
+        };
         let mut lines = Vec::new();
-        for e in session.course {
-            if e.stage == self.exercise.stage {
-                lines.push(session.progress.row(e));
-            }
+        for e in session.course.iter().filter(|e| e.stage == chosen.stage) {
+            let mark = if e == chosen { "> " } else { "  " };
+            lines.push(format!("{mark}{}", session.progress.row(e)));
         }
-        lines.push("`cargo learn list` has all stages, `cargo learn NAME` begins one".to_owned());
-        self.note(session, &lines.join("\n"));
+        lines.push(CHOOSE.to_owned());
+        session.screen.wrap(&lines.join("\n"))
+    }
+
+    fn show_list(&self, session: &Session) {
+        session
+            .screen
+            .show(&self.text(session), &self.list(session));
     }
 
     /// Adds an answer to a key.

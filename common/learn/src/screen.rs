@@ -2,8 +2,11 @@
 //! which gets each text once.
 
 use std::cell::Cell;
+use std::fmt::Write as _;
 use std::io::{self, Write};
+use std::path::{Path, absolute};
 
+use common::text;
 use console::Term;
 
 use crate::wrap::{wrap, wrap_markdown};
@@ -84,6 +87,18 @@ impl Screen {
             .map_or_else(|| text.to_owned(), |width| wrap_markdown(text, width))
     }
 
+    /// Words in which a path leads to its file, on a terminal that has colours; others might show what is a link.
+    pub fn link(&self, words: &str, path: &Path) -> String {
+        let has_links = |terminal: &Term| terminal.features().colors_supported();
+        match absolute(path) {
+            Ok(whole) if self.terminal.as_ref().is_some_and(has_links) => {
+                let path = text::path(path);
+                words.replace(&path, &linked(&path, &whole.to_string_lossy()))
+            }
+            _ => words.to_owned(),
+        }
+    }
+
     /// Shows a page instead of the one before. A pipe gets what is `new` in it.
     pub fn show(&self, page: &str, new: &str) {
         let Some(terminal) = &self.terminal else {
@@ -103,6 +118,37 @@ impl Screen {
             let _ = terminal.clear_line();
             let _ = terminal.write_str(&console::truncate_str(words, width - 1, "…"));
             let _ = terminal.flush();
+        }
+    }
+}
+
+/// Words that lead to a file, by the escape sequence OSC 8 of terminals.
+fn linked(words: &str, file: &str) -> String {
+    let mut address = String::new();
+    for byte in file.replace('\\', "/").bytes() {
+        if byte.is_ascii_alphanumeric() || b"/-._~:".contains(&byte) {
+            address.push(byte.into());
+        } else {
+            let _ = write!(address, "%{byte:02X}");
+        }
+    }
+    // A path of Windows begins with the letter of a disk.
+    let slash = if address.starts_with('/') { "" } else { "/" };
+    format!("\u{1b}]8;;file://{slash}{address}\u{1b}\\{words}\u{1b}]8;;\u{1b}\\")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_link_has_the_address_of_a_file() {
+        for (file, address) in [
+            ("/home/a b/ü%.rs", "file:///home/a%20b/%C3%BC%25.rs"),
+            ("C:\\me\\a.rs", "file:///C:/me/a.rs"),
+        ] {
+            let link = format!("\u{1b}]8;;{address}\u{1b}\\a.rs\u{1b}]8;;\u{1b}\\");
+            assert_eq!(linked("a.rs", file), link);
         }
     }
 }

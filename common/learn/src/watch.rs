@@ -38,6 +38,7 @@ pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<St
         student_file::begin(page.exercise)?;
         page = match page.work(&mut session)? {
             Step::Quit => break,
+            Step::To(chosen) => Page::new(chosen),
             Step::Following => match session.progress.next(course, Some(page.exercise)) {
                 Some(next) => Page::new(next),
                 None => return Ok(format!("{}\n{END}", session.progress.summary(course))),

@@ -93,7 +93,8 @@ const STEPS: &[(&str, &str)] = &[
     ("diagonal", "panic>: not yet|loop>|h>Hint|broken>: does not compile|empty>: the file lacks `pub fn check`|delete>l.rs is deleted"),
     ("diagonal", ">to do|right>: done|l>done   core  a01  diagonal|delete>is deleted|l>       core  a01  diagonal"),
     ("diagonal", ">to do|right>: done|look>core path: 2 of 5"),
-    ("diagonal", "z>h hint|n>exercises/products.rs"),
+    ("diagonal", "z>h hint|l>> done   core  a01  diagonal|j>>        core  a01  products|k>> done   core  a01  diagonal"),
+    ("diagonal", "j>>        core  a01  products|>exercises/products.rs"),
     ("line", "wrong>line.rs is saved, the file of another exercise|delete>"),
     ("products", "panic>: not yet|recursion>probably by a recursion without end|right>: done|>exercises/angle.rs"),
     ("angle", "broken>: does not compile|n>exercises/reflected.rs"),
@@ -184,7 +185,7 @@ fn each_step_is_answered() {
     write("book/src/a01-exercises.md", &page());
     write("a01-image-display/exercises/exercises.toml", &list());
     write("common/judge/sheets/lens.toml", SHEET);
-    let hint = learn(&["hint", "own"]).output().unwrap();
+    let hint = learn(&["hint", "ow"]).output().unwrap();
     assert_eq!(hint.stdout, b"Its title\n\nHint 1 of 1\n\nIts hint.\n");
 
     for (words, nearest) in [
@@ -198,10 +199,20 @@ fn each_step_is_answered() {
             &["a01"],
             "the exercises of this stage are set_pixel, diagonal",
         ),
+        (
+            &["hint", "e"],
+            "it is a part of set_pixel, angle, reflected, line, triangle_area",
+        ),
+        (
+            &["own", "hint"],
+            "a command stands before the name of its exercise, such as `cargo learn hint own`",
+        ),
+        (&["--list"], "unexpected argument '--list'"),
     ] {
         let output = learn(words).output().unwrap();
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(said.contains(nearest), "{said}");
+        assert!(!said.contains("as a value"), "{said}");
     }
     if cfg!(target_os = "linux") {
         let full = File::create("/dev/full").unwrap();

@@ -3,7 +3,7 @@
 #![cfg(unix)]
 
 use std::fs::{File, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Child, Command};
@@ -53,6 +53,50 @@ fn wait_until(words: &str, is_so: &dyn Fn() -> bool) {
     }
 }
 
+/// The end of a pseudo terminal that a person uses, and that of a program.
+fn pseudo_terminal() -> (File, File) {
+    let persons = File::from(openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap());
+    grantpt(&persons).unwrap();
+    unlockpt(&persons).unwrap();
+    let name = ptsname(&persons, Vec::new()).unwrap();
+    let mut options = File::options();
+    let programs = options.read(true).write(true).open(name.to_str().unwrap());
+    (persons, programs.unwrap())
+}
+
+/// A `cargo learn` in the small workbook, on a terminal.
+fn learn(terminal: &File) -> Command {
+    let mut learn = Command::new(env!("CARGO_BIN_EXE_learn"));
+    learn.env("CARGO_MANIFEST_DIR", [WORKBOOK, "/common/learn"].concat());
+    learn
+        .env("LEARN_SECONDS", "120")
+        .env_remove("CARGO_TARGET_DIR");
+    learn.current_dir(WORKBOOK);
+    learn.stdin(terminal.try_clone().unwrap());
+    learn.stdout(terminal.try_clone().unwrap());
+    learn
+}
+
+/// What `cargo learn` shows until it waits for a key.
+fn page_with(variable: &str, value: &str) -> String {
+    let (mut person, terminal) = pseudo_terminal();
+    let mut learn = learn(&terminal);
+    learn
+        .env("TERM", "xterm")
+        .env_remove("NO_COLOR")
+        .env(variable, value);
+    let mut learn = Learn(learn.spawn().unwrap());
+    let mut shown = Vec::new();
+    while !String::from_utf8_lossy(&shown).contains("q quit") {
+        let mut part = [0; 1024];
+        let count = person.read(&mut part).unwrap();
+        shown.extend(&part[..count]);
+    }
+    person.write_all(b"q").unwrap();
+    learn.0.wait().unwrap();
+    String::from_utf8(shown).unwrap()
+}
+
 #[test]
 fn its_end_gives_the_terminal_back_and_leaves_no_program() {
     let _ = fs::remove_dir_all(WORKBOOK);
@@ -60,13 +104,7 @@ fn its_end_gives_the_terminal_back_and_leaves_no_program() {
     write("a01-image-display/exercises/exercises.toml", LIST);
     write("a01-image-display/exercises/solutions/own.rs", "");
 
-    let mut other_end = File::from(openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap());
-    grantpt(&other_end).unwrap();
-    unlockpt(&other_end).unwrap();
-    let name = ptsname(&other_end, Vec::new()).unwrap();
-    let mut options = File::options();
-    let terminal = options.read(true).write(true);
-    let terminal = terminal.open(name.to_str().unwrap()).unwrap();
+    let (mut other_end, terminal) = pseudo_terminal();
     // A terminal that nobody reads takes no more words.
     let mut shown = other_end.try_clone().unwrap();
     thread::spawn(move || io::copy(&mut shown, &mut io::sink()));
@@ -75,6 +113,27 @@ fn its_end_gives_the_terminal_back_and_leaves_no_program() {
         modes.contains(LocalModes::ECHO)
     };
     let lock = Path::new(WORKBOOK).join("lock");
+
+    write("build.rs", "fn main() {}");
+    write("main.rs", "fn main() {}");
+    let path = "a01-image-display/exercises/own.rs";
+    let link = format!("in \u{1b}]8;;file://{WORKBOOK}/{path}\u{1b}\\{path}\u{1b}]8;;");
+    for (variable, value, has_link) in [
+        ("COLUMNS", "80", true),
+        ("NO_COLOR", "1", false),
+        ("TERM", "dumb", false),
+    ] {
+        let shown = page_with(variable, value);
+        assert_eq!(
+            shown.contains(&link),
+            has_link,
+            "{variable}={value}: {shown:?}"
+        );
+        assert!(
+            has_link || shown.contains(&format!("in {path}")),
+            "{shown:?}"
+        );
+    }
 
     // A build script is started by cargo, and a check by `learn`.
     for (build, check) in [(LOCKING, ""), ("fn main() {}", LOCKING)] {
@@ -88,15 +147,7 @@ fn its_end_gives_the_terminal_back_and_leaves_no_program() {
         ] {
             let _ = fs::remove_file(Path::new(WORKBOOK).join("begun"));
             assert!(is_echoing());
-            let mut learn = Command::new(env!("CARGO_BIN_EXE_learn"));
-            learn.env("CARGO_MANIFEST_DIR", [WORKBOOK, "/common/learn"].concat());
-            learn
-                .env("LEARN_SECONDS", "120")
-                .env_remove("CARGO_TARGET_DIR");
-            learn.current_dir(WORKBOOK);
-            learn.stdin(terminal.try_clone().unwrap());
-            learn.stdout(terminal.try_clone().unwrap());
-            let mut learn = Learn(learn.spawn().unwrap());
+            let mut learn = Learn(learn(&terminal).spawn().unwrap());
             wait_until("nothing is built", &|| {
                 Path::new(WORKBOOK).join("begun").exists()
             });

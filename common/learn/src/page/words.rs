@@ -40,6 +40,7 @@ impl Page {
             }
         }
         parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
+        parts.extend(self.chosen.map(|_| self.list(session)));
         parts.push(session.progress.summary(session.course));
         parts.push(screen.wrap(&self.keys()));
         parts.join("\n\n")
@@ -48,10 +49,8 @@ impl Page {
     fn heading(&self, screen: &Screen) -> String {
         let e = self.exercise;
         let (title, minutes, file) = (e.title, e.minutes, student_file::path(e));
-        screen.wrap(&format!(
-            "{title}, {minutes} minutes, in {}",
-            text::path(&file)
-        ))
+        let heading = format!("{title}, {minutes} minutes, in {}", text::path(&file));
+        screen.link(&screen.wrap(&heading), &file)
     }
 
     /// What the check says, and where the solution is if there is nothing more to say.
@@ -68,7 +67,8 @@ impl Page {
             return format!("{details}{verdict}");
         }
         let solution = files::shortest(self.exercise.solution);
-        format!("{details}{verdict}\nsolution: {}", text::path(&solution))
+        let place = format!("solution: {}", text::path(&solution));
+        format!("{details}{verdict}\n{}", screen.link(&place, &solution))
     }
 
     /// What the keys do.
