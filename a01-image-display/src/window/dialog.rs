@@ -1,6 +1,7 @@
 //! `Dialog`: a dialog of the system, in which a person chooses a file. The window goes on meanwhile, because some
 //! systems have a dialog that never answers.
 
+use std::mem;
 use std::path::PathBuf;
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
@@ -17,6 +18,8 @@ pub struct Dialog {
     purpose: Purpose,
     /// The file, and the time after which it was chosen.
     answer: Receiver<(Option<PathBuf>, Duration)>,
+    /// Whether the person knows that its answer would be lost with the window.
+    is_warned: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -66,7 +69,22 @@ impl Dialog {
         } else {
             thread::spawn(ask);
         }
-        Self { purpose, answer }
+        Self {
+            purpose,
+            answer,
+            is_warned: false,
+        }
+    }
+
+    /// Whether the window stays although a person closes it, to say once that a dialog is open.
+    pub fn delays_end(dialog: &mut Option<Self>, gallery: &mut Gallery) -> bool {
+        let Some(open) = dialog else {
+            return false;
+        };
+        if !open.is_warned {
+            gallery.say("the dialog of the system is open; Esc again closes the window without it");
+        }
+        !mem::replace(&mut open.is_warned, true)
     }
 
     /// Opens or saves the file of a dialog that has been answered. True if it has.

@@ -14,6 +14,7 @@ mod x_display;
 use std::time::{Duration, Instant};
 
 use command_line::{Gallery, NotShown};
+use common::Size;
 use minifb::{Key, ScaleMode, Window, WindowOptions};
 
 use dialog::Dialog;
@@ -38,7 +39,7 @@ const COVERED: Duration = Duration::from_millis(500);
 pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
     gallery.read_picture_file()?;
     let mut title = gallery.title();
-    let mut window = open(&title, screen::window_size(gallery.picture().size()))?;
+    let mut window = open(&title, gallery.picture().size())?;
     let mut input = Input::of(&mut window);
     let mut screen = Screen::default();
     let mut dialog = None;
@@ -109,7 +110,7 @@ fn obey(
         },
         Event::Wheel(steps) => gallery.approach(steps),
         Event::Drag(way) => gallery.rotate(way),
-        Event::Key(Key::Escape) => return false,
+        Event::Key(Key::Escape) => return Dialog::delays_end(dialog, gallery),
         Event::Key(Key::S) => Dialog::save(dialog, gallery),
         Event::Key(Key::O) if gallery.opens_pictures() => Dialog::open(dialog, gallery),
         Event::Key(Key::Left) => gallery.go_on(-1),
@@ -117,7 +118,7 @@ fn obey(
         Event::Key(Key::E) => explain(at, screen, gallery),
         Event::Key(Key::R) => gallery.reset(),
         Event::Key(Key::C) => gallery.print_camera(),
-        Event::Key(Key::F) => gallery.render_fast(),
+        Event::Key(Key::F) => gallery.change_renderer(),
         Event::Key(Key::H) => screen.lists_keys = !screen.lists_keys,
         Event::Move => gallery.point(),
         Event::Key(_) => {}
@@ -135,15 +136,18 @@ fn explain(at: [i32; 2], screen: &mut Screen, gallery: &mut Gallery) {
 }
 // ANCHOR_END: obey
 
-/// Opens a window of this width and height.
-fn open(title: &str, (width, height): (usize, usize)) -> Result<Window, NotShown> {
+/// Opens a window for a picture.
+fn open(title: &str, picture: Size) -> Result<Window, NotShown> {
     let options = WindowOptions {
         resize: true,
         scale_mode: ScaleMode::UpperLeft,
         ..WindowOptions::default()
     };
     #[cfg(all(unix, not(target_os = "macos")))]
-    let _connection = x_display::check()?;
+    let display = x_display::check()?;
+    #[cfg(not(all(unix, not(target_os = "macos"))))]
+    let display: Option<((), _)> = None;
+    let (width, height) = screen::window_size(picture, display.as_ref().map(|(_, screen)| *screen));
     let mut window = Window::new(title, width, height, options).map_err(no_window)?;
     // On a Mac, a click before the first update would end the program.
     window.update();

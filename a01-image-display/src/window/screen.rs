@@ -4,7 +4,7 @@
 use std::mem;
 
 use command_line::{ExplainedPixel, Gallery, LivePicture};
-use common::Size;
+use common::{Renderer, Size};
 use minifb::Key;
 
 use super::frame::{Area, Frame, wrapped};
@@ -32,7 +32,7 @@ const KEYS: [(&str, &str); 12] = [
     ("right drag", "rotate the camera"),
     ("R", "camera back"),
     ("C", "print the camera in the terminal"),
-    ("F", "render by the fast renderer"),
+    ("F", "the fast renderer, or the lesson"),
     ("H", "this list"),
     ("Esc", "close"),
     ("menu", "the same, on any keyboard"),
@@ -54,12 +54,21 @@ pub struct Screen {
     menu: Vec<(Area, Key)>,
 }
 
-/// The size in which the window opens: that of the picture, enlarged by a whole factor if that is small, or
-/// shrunk to less than nearly every screen, whose size minifb does not tell; with room for menu and text.
-pub fn window_size(picture: Size) -> (usize, usize) {
+/// The size in which the window opens: that of the picture, enlarged by a whole factor if that is small on the
+/// screen, or shrunk to less than it, with room for menu and text. Where the size of the screen is unknown, the window
+/// fits nearly every one.
+pub fn window_size(picture: Size, screen: Option<[u16; 2]>) -> (usize, usize) {
     let [width, height] = [picture.width(), picture.height()].map(f64::from);
-    let most = (1280.0 / width).min(600.0 / height);
-    let enlarged = (480.0 / width).min(240.0 / height).floor();
+    let [most, enlarged] = match screen.map(|sides| sides.map(f64::from)) {
+        // Several screens beside or above each other may be told as one.
+        Some([wide, high]) => {
+            let high = high.min(0.6 * wide);
+            [[1.6 * high, 0.7 * high], [0.8 * high, 0.5 * high]]
+        }
+        None => [[1280.0, 600.0], [480.0, 240.0]],
+    };
+    let most = (most[0] / width).min(most[1] / height);
+    let enlarged = (enlarged[0] / width).min(enlarged[1] / height).floor();
     let scale = most.min(enlarged.max(1.0));
     let width = (width * scale).max(480.0) as i32;
     let bars = menu_height(dot(width)) + text_height(dot(width), LINES);
@@ -209,8 +218,9 @@ impl Screen {
             entries.push(("O", "open", Key::O));
         }
         entries.extend([("R", "back", Key::R), ("C", "camera", Key::C)]);
-        if gallery.could_be_fast().is_some() {
-            entries.push(("F", "fast", Key::F));
+        if let Some(other) = gallery.by_other_renderer() {
+            let is_fast = other.renderer == Renderer::Engine;
+            entries.push(("F", if is_fast { "fast" } else { "lesson" }, Key::F));
         }
         entries.extend([("H", "keys", Key::H), ("Esc", "close", Key::Escape)]);
         self.menu.clear();
@@ -269,11 +279,32 @@ mod tests {
 
     #[test]
     fn the_window_has_room_for_the_picture_and_no_more_than_a_screen() {
-        let size = |width, height| window_size(Size::new(width, height).unwrap());
+        let on = |width, height, screen| window_size(Size::new(width, height).unwrap(), screen);
+        let size = |width, height| on(width, height, None);
         let bars = 30 + text_height(1, LINES) as usize;
         assert_eq!(size(640, 480), (640, 480 + bars));
         assert_eq!(size(64, 48), (480, 240 + bars));
         let (width, height) = size(8192, 8192);
         assert!(width <= 1280 && height <= 720, "{width}x{height}");
+        // Usual screens, one that stands, and two beside or above each other.
+        for (wide, high, is_enlarged) in [
+            (1366, 768, false),
+            (1920, 1080, false),
+            (3840, 2160, true),
+            (1200, 1920, false),
+            (3840, 1080, false),
+            (1920, 2160, false),
+        ] {
+            let screen = Some([wide, high]);
+            let (width, height) = on(640, 480, screen);
+            let factor = 1 + usize::from(is_enlarged);
+            assert_eq!(width, 640 * factor, "{wide}x{high}");
+            assert!(height > 480 * factor);
+            for (width, height) in [(8192, 8192), (8192, 4608), (64, 48)] {
+                let (width, height) = on(width, height, screen);
+                let most = usize::from(high.min(wide / 5 * 3));
+                assert!(width <= 2 * most && height <= most, "{width}x{height}");
+            }
+        }
     }
 }

@@ -27,17 +27,17 @@ fn leave_input_method() {
     }
 }
 
-/// A connection to the display, if it is on this machine and answers. A display whose last program has left may
+/// A connection to the display, and the width and height of its screen, if it is on this machine and answers. A display whose last program has left may
 /// begin anew and refuse the next for a moment, so the caller holds the connection until its window is open. An error
 /// if minifb has no colours for the display, or would end the program.
-pub fn check() -> Result<Option<UnixStream>, NotShown> {
+pub fn check() -> Result<Option<(UnixStream, [u16; 2])>, NotShown> {
     leave_input_method();
-    let Some((connection, format)) = connect() else {
+    let Some((connection, format, screen)) = connect() else {
         return Ok(None);
     };
     // The depth is the number of bits that have a meaning: 8 for a colour, and 8 more for how opaque it is.
     if matches!((format[0], format[1]), (24 | 32, 32)) {
-        return Ok(Some(connection));
+        return Ok(Some((connection, screen)));
     }
     let reason = format!(
         "no display with colours of 24 bits to open it on (it has {})",
@@ -46,8 +46,11 @@ pub fn check() -> Result<Option<UnixStream>, NotShown> {
     Err(NotShown::NoWindow(reason))
 }
 
-/// A connection to the display, and the depth and the bits of a pixel there.
-fn connect() -> Option<(UnixStream, [u8; 2])> {
+/// A connection to the display, the depth and the bits of a pixel there, and the sides of its screen.
+type Display = (UnixStream, [u8; 2], [u16; 2]);
+
+/// The display on this machine.
+fn connect() -> Option<Display> {
     let display = env::var("DISPLAY").ok()?;
     let number = display.strip_prefix(':')?.split('.').next()?;
     let server = Path::new("/tmp/.X11-unix").join(format!("X{number}"));
@@ -87,9 +90,9 @@ fn cookies(display: &str) -> Vec<Vec<u8>> {
 /// The name of the secrets.
 const NAME: &[u8] = b"MIT-MAGIC-COOKIE-1";
 
-/// Begins to speak X11, version 11.0, with a server, which answers with the depth and the bits of its pixels. The
+/// Begins to speak X11, version 11.0, with a server, which answers with its pixels and its screen. The
 /// numbers are places in chapter 8 of its protocol.
-fn ask(server: &Path, cookie: &[u8]) -> Option<(UnixStream, [u8; 2])> {
+fn ask(server: &Path, cookie: &[u8]) -> Option<Display> {
     let name = if cookie.is_empty() { &[] } else { NAME };
     let mut request = vec![
         b'l',
@@ -114,14 +117,16 @@ fn ask(server: &Path, cookie: &[u8]) -> Option<(UnixStream, [u8; 2])> {
     stream.write_all(&request).ok()?;
     let mut head = [0; 8];
     stream.read_exact(&mut head).ok()?;
-    let words = u16::from_le_bytes([head[6], head[7]]);
-    let mut answer = vec![0; 4 * usize::from(words)];
+    let number =
+        |bytes: &[u8], at: usize| Some(u16::from_le_bytes([*bytes.get(at)?, *bytes.get(at + 1)?]));
+    let mut answer = vec![0; 4 * usize::from(number(&head, 6)?)];
     stream.read_exact(&mut answer).ok()?;
-    let vendor = usize::from(u16::from_le_bytes([*answer.get(16)?, *answer.get(17)?]));
+    let vendor = usize::from(number(&answer, 16)?);
     let start = 32 + vendor.next_multiple_of(4);
     let end = start + 8 * usize::from(*answer.get(21)?);
     let depth = *answer.get(end + 38)?;
     let mut formats = answer.get(start..end)?.chunks_exact(8);
     let format = formats.find(|format| format[0] == depth && head[0] == 1)?;
-    Some((stream, [format[0], format[1]]))
+    let screen = [number(&answer, end + 20)?, number(&answer, end + 22)?];
+    Some((stream, [format[0], format[1]], screen))
 }

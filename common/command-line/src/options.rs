@@ -49,7 +49,7 @@ pub struct Options {
 
     /// Render with the fast renderer; the picture is the same
     #[arg(long, conflicts_with = "no_omit")]
-    fast: bool,
+    pub fast: bool,
 
     /// Do also the work that cannot change the picture
     #[arg(long)]
@@ -157,11 +157,6 @@ impl Options {
             file: self.open.clone().or_else(|| defaults.file.clone()),
             edits: defaults.edits,
         })
-    }
-
-    /// Changes to the fast renderer.
-    pub const fn render_fast(&mut self) {
-        (self.fast, self.no_omit) = (true, false);
     }
 
     /// The flags that were given although they do not change the picture of a scene

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use common::pixel_trace::digits;
-use common::{Color, Error, Image, picture_file, text};
+use common::{Color, Error, Image, Renderer, picture_file, text};
 
 use super::{Gallery, Job};
 use crate::explained_pixel::ExplainedPixel;
@@ -53,9 +53,10 @@ impl Gallery<'_> {
         }
         if self.is_rendering()
             && self.picture.is_slow()
-            && let Some(slow) = self.could_be_fast()
+            && let Some(other) = self.by_other_renderer()
+            && other.renderer == Renderer::Engine
         {
-            lines.push(format!("F: the fast renderer {}", sooner(&slow)));
+            lines.push(format!("F: the fast renderer {}", sooner(&other)));
         }
         let Some(scene) = self.scene() else {
             return lines;

@@ -1,22 +1,30 @@
-//! The renderer of a gallery, which a person may change to the fast one.
+//! The renderer of a gallery, which a person may change to the fast one and back.
 
 use common::{Renderer, Settings};
 
 use super::Gallery;
 
 impl Gallery<'_> {
-    /// The settings of a picture that the lesson draws, and the fast renderer could.
+    /// The settings of the picture by the other renderer: the fast one instead of the lesson, or the lesson instead of it.
     #[must_use]
-    pub fn could_be_fast(&self) -> Option<Settings> {
+    pub fn by_other_renderer(&self) -> Option<Settings> {
         let scene = self.scene().filter(|scene| scene.uses.sampling)?;
         let settings = self.settings(scene).ok()?;
-        (settings.renderer == Renderer::Lesson).then_some(settings)
+        let renderer = match settings.renderer {
+            Renderer::Lesson => Renderer::Engine,
+            Renderer::Engine => Renderer::Lesson,
+            Renderer::NoOmissions => return None,
+        };
+        Some(Settings {
+            renderer,
+            ..settings
+        })
     }
 
-    /// Renders this picture and the next ones by the fast renderer.
-    pub fn render_fast(&mut self) {
-        if self.could_be_fast().is_some() {
-            self.options.render_fast();
+    /// Renders this picture and the next ones by the other renderer.
+    pub fn change_renderer(&mut self) {
+        if let Some(settings) = self.by_other_renderer() {
+            self.options.fast = settings.renderer == Renderer::Engine;
             self.start_or_fail();
         }
     }
