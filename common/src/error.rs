@@ -54,11 +54,12 @@ pub enum Error {
 
 impl Error {
     /// The exit code of a program that ends with this error: 2 for a wrong command
-    /// line, else 1.
+    /// line, 130 as shells say of Ctrl+C, else 1.
     #[must_use]
     pub const fn exit_code(&self) -> u8 {
         match self {
             Self::Usage(_) => 2,
+            Self::Stopped => 130,
             _ => 1,
         }
     }

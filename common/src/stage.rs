@@ -31,7 +31,7 @@ impl Stage {
                     let (name, stage) = (text::name(name), self.name);
                     format!("there is no file {name}, but {begin} is a scene of {stage}")
                 }
-                Some(open) if end == "toml" => return open(name.as_ref()),
+                Some(open) if end.eq_ignore_ascii_case("toml") => return open(name.as_ref()),
                 Some(_) => format!("{} is no scene file, which ends in .toml", text::name(name)),
                 None => format!("{} opens no scene files; stages 4 to 7 do", self.name),
             };

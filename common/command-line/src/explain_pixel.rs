@@ -88,7 +88,7 @@ pub fn explain(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
         // The lesson takes minutes for the other pixels.
         compared.renderer = Renderer::Engine;
     }
-    let rendered = render(scene, &compared, options)?.get(x, y);
+    let rendered = render(scene, &compared, options, |_| Ok(()))?.get(x, y);
     if rendered != Some(color) {
         let (rendered, color) = (rendered.map(Color::channels), color.channels());
         warn(&format!(

@@ -9,11 +9,7 @@ use crate::options::Options;
 
 /// The whole command line; without a command the first scene is shown.
 #[derive(Parser)]
-#[command(
-    version,
-    disable_help_subcommand = true,
-    args_conflicts_with_subcommands = true
-)]
+#[command(version, args_conflicts_with_subcommands = true)]
 pub struct CommandLine {
     #[command(subcommand)]
     pub command: Option<Command>,

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::{self, ExitCode};
 
-use clap::{Args, Subcommand};
+use clap::Subcommand;
 use common::{Error, Stage, text, workbook};
 
 use crate::explain_pixel::{ExplainArgs, explain};
@@ -42,20 +42,50 @@ pub enum Command {
         #[command(flatten)]
         options: Options,
     },
-    /// Report error against run time: a table, CSV and plots
-    #[command(disable_help_flag = true)]
-    Report(Arguments),
-    /// Show the stiff and extreme cases; exit code 1 if one fails
-    #[command(disable_help_flag = true)]
-    Extremes(Arguments),
+    #[command(flatten)]
+    Measure(Measure),
 }
 
-/// The arguments of a command that the laboratory runs.
-#[derive(Args)]
-pub struct Arguments {
-    /// Those of the laboratory, which --help lists
-    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-    arguments: Vec<OsString>,
+/// The commands of a stage's laboratory.
+#[derive(Subcommand)]
+pub enum Measure {
+    /// Report error against run time: a table, CSV and plots
+    Report {
+        /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
+        names: Vec<String>,
+
+        /// The folder for CSV and plots [default: out/report/]
+        #[arg(short, long, value_name = "DIR")]
+        output: Option<PathBuf>,
+    },
+    /// Show the stiff and extreme cases; exit code 1 if one fails
+    Extremes {
+        /// Beginnings of ids, such as A or A01 [default: all]
+        names: Vec<String>,
+    },
+}
+
+impl Measure {
+    /// The command line for the laboratory.
+    fn words(self) -> Vec<OsString> {
+        let mut words: Vec<OsString> = Vec::new();
+        let names = match self {
+            Self::Report { names, output } => {
+                words.push("report".into());
+                if let Some(folder) = output {
+                    words.extend(["--output".into(), folder.into()]);
+                }
+                names
+            }
+            Self::Extremes { names } => {
+                words.push("extremes".into());
+                names
+            }
+        };
+        words.push("--".into());
+        words.extend(names.into_iter().map(OsString::from));
+        words
+    }
 }
 
 /// Runs a command and returns the exit code.
@@ -80,8 +110,7 @@ pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
                 None => print(text.trim_end()),
             }
         }
-        Command::Report(measured) => return run_laboratory(stage, "report", &measured),
-        Command::Extremes(measured) => return run_laboratory(stage, "extremes", &measured),
+        Command::Measure(measure) => return run_laboratory(stage, measure),
     };
     done.map(|()| ExitCode::SUCCESS)
 }
@@ -92,7 +121,7 @@ const WORKBOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 /// Runs a command of the stage's laboratory, in the profile of this build, and returns its exit
 /// code. The laboratory is a program of its own, built when first asked for, so that nobody
 /// waits for it on the way to the first picture. Cargo shows what it builds, and what it waits for.
-fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<ExitCode, Error> {
+fn run_laboratory(stage: &Stage, measure: Measure) -> Result<ExitCode, Error> {
     let manifest = format!("{}/lab/Cargo.toml", stage.name);
     let manifest = workbook::with_file(&manifest, WORKBOOK.as_ref()).join(manifest);
     if !manifest.is_file() {
@@ -105,7 +134,7 @@ fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<
     if !cfg!(debug_assertions) {
         cargo.arg("--release");
     }
-    cargo.args(["--", command]).args(&measured.arguments);
+    cargo.arg("--").args(measure.words());
     let status = cargo.status().map_err(Error::Laboratory)?;
     let code = status.code().and_then(|code| u8::try_from(code).ok());
     Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))

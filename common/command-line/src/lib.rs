@@ -10,6 +10,7 @@ mod explain_pixel;
 mod explained_pixel;
 mod gallery;
 mod grammar;
+mod interruption;
 mod laboratory;
 mod live_picture;
 mod named;
@@ -29,6 +30,7 @@ mod work;
 
 pub use explained_pixel::ExplainedPixel;
 pub use gallery::Gallery;
+pub use laboratory::Measure;
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
 pub use print::print;

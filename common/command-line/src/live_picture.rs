@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use common::{Color, Error, Image, Progress, Sampling, Scene, Settings, Size, Transfer};
-use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget};
+use indicatif::{ProgressBar, ProgressDrawTarget};
 
-use crate::terminal_progress::{is_worth_a_hint, set_fraction};
+use crate::terminal_progress::{Elapsed, set_fraction};
 
 /// The packed 0xRRGGBB pixels of a picture while it is rendered; black where nothing is known.
 ///
@@ -127,17 +127,13 @@ impl LivePicture {
         if let Some(took) = self.took.get() {
             return format!("{:.2} s", took.as_secs_f64());
         }
-        let [elapsed, to_go] = [self.bar.elapsed(), self.bar.eta()].map(FormattedDuration);
-        if self.bar.position() == 0 {
-            return format!("{elapsed} elapsed");
-        }
-        format!("{elapsed} elapsed, {to_go} to go")
+        Elapsed::of(&self.bar).words()
     }
 
     /// Whether the rendering takes so long that a faster renderer is worth a remark.
     #[must_use]
     pub fn is_slow(&self) -> bool {
-        is_worth_a_hint(self.bar.elapsed(), self.bar.eta())
+        Elapsed::of(&self.bar).is_slow()
     }
 
     /// Ends the rendering after the rows that are being painted.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use common::{Error, Scene, Stage};
 
+use crate::target::ends_in;
 use crate::watch::Watch;
 
 /// A scene file, and its scene when the file was last right.
@@ -20,8 +21,7 @@ pub struct OpenedFile {
 impl OpenedFile {
     /// Whether the stage reads a file of this name as a scene.
     pub fn is_named(stage: &Stage, name: &str) -> bool {
-        let ending = Path::new(name).extension();
-        stage.open.is_some() && ending.is_some_and(|ending| ending == "toml")
+        stage.open.is_some() && ends_in(name.as_ref(), "toml")
     }
 
     /// Opens a scene file. One that is broken has an error, and no scene.

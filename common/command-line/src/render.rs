@@ -1,5 +1,6 @@
 //! `render`: renders scenes into PNG files.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::slice;
 use std::thread;
@@ -8,6 +9,7 @@ use std::time::{Duration, Instant};
 use common::{Error, Image, Renderer, Scene, Settings, Stage, text};
 
 use crate::black_picture::warn_if_black;
+use crate::interruption::stoppable;
 use crate::opened_file::OpenedFile;
 use crate::options::Options;
 use crate::print::{print, warn};
@@ -41,7 +43,8 @@ pub fn render_to_files(
             work::explain(scene, &settings, options)?;
         }
         let start = Instant::now();
-        let image = render(scene, &settings, options)?;
+        let keep = |rows: &_| target.keep_rows(stage, scene, settings.size, rows);
+        let image = render(scene, &settings, options, keep)?;
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         let path = text::visible(&path.to_string_lossy());
@@ -77,10 +80,12 @@ pub fn watch(
     warn("note: each save of the file renders it anew; Ctrl+C ends this");
     loop {
         thread::sleep(PERIOD);
-        if file.reread(stage)
-            && let Err(error) = render_file(&file)
-        {
-            warn_error(&error);
+        if file.reread(stage) {
+            match render_file(&file) {
+                Err(Error::Stopped) => return Err(Error::Stopped),
+                Err(error) => warn_error(&error),
+                Ok(()) => {}
+            }
         }
     }
 }
@@ -99,15 +104,25 @@ pub const fn sooner(settings: &Settings) -> &'static str {
     }
 }
 
-/// Renders a scene, with a bar on the terminal.
-pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<Image, Error> {
-    let is_lesson = scene.uses.sampling && settings.renderer == Renderer::Lesson;
-    let hint = is_lesson.then(|| format!("note: --fast {}", sooner(settings)));
-    let progress = TerminalProgress::new(scene.name, settings.size).with_hint(hint);
+/// Renders a scene, with a bar on the terminal. Of a rendering that is stopped, the rows that are drawn are kept.
+pub fn render(
+    scene: &Scene,
+    settings: &Settings,
+    options: &Options,
+    keep: impl FnOnce(&BTreeMap<u32, Vec<u8>>) -> Result<(), Error>,
+) -> Result<Image, Error> {
+    let progress = TerminalProgress::new(scene.name, settings);
+    if scene.uses.sampling && settings.renderer == Renderer::Lesson && !scene.is_large {
+        progress.hint_if_slow(format!("note: --fast {}", sooner(settings)));
+    }
     let threads = options.thread_pool()?;
-    let image = threads.install(|| scene.render(settings, &progress))?;
+    let rendered = stoppable(|| threads.install(|| scene.render(settings, &progress)));
     let samples = progress.samples();
-    drop(progress);
+    let rows = progress.rows();
+    if matches!(rendered, Err(Error::Stopped)) {
+        keep(&rows)?;
+    }
+    let image = rendered?;
     let name = scene.name;
     if let Some(samples) = samples {
         warn(&format!("note: {name}: {samples}"));

@@ -1,10 +1,11 @@
 //! The program of every stage.
 
 use std::ffi::OsString;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::FromArgMatches;
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use common::{Error, Scene, Stage, text};
 
 use crate::Viewer;
@@ -29,25 +30,85 @@ pub fn run_with(
     viewer: Option<Viewer>,
     arguments: impl IntoIterator<Item = OsString>,
 ) -> ExitCode {
-    let parsed = CommandLine::of(stage)
-        .try_get_matches_from(arguments)
-        .and_then(|matches| CommandLine::from_arg_matches(&matches));
-    let outcome = match parsed {
+    let outcome = match parse(stage, arguments.into_iter().collect()) {
         Ok(line) => execute(stage, viewer, line),
-        Err(help_or_error) => match scene_as_command(stage, &help_or_error) {
-            Some(Scene { name, .. }) => Err(Error::Usage(format!(
-                "{name} is a scene of {}, not a command; try: show {name}",
-                stage.name
-            ))),
-            None => return print_clap_error(&help_or_error),
-        },
+        Err(mut help_or_error) => {
+            if let Some(tip) = tip(stage, &help_or_error) {
+                let tip = ContextValue::StyledStrs(vec![tip.into()]);
+                help_or_error.insert(ContextKind::Suggested, tip);
+            }
+            return print_clap_error(help_or_error);
+        }
     };
     exit_code(outcome)
 }
 
+/// Reads a command line. A scene instead of a command is shown.
+fn parse(stage: &Stage, mut words: Vec<OsString>) -> Result<CommandLine, clap::Error> {
+    let parse = |words: &[OsString]| {
+        let matches = CommandLine::of(stage).try_get_matches_from(words)?;
+        CommandLine::from_arg_matches(&matches)
+    };
+    parse(&words).or_else(|error| {
+        if !word(&error, ContextKind::InvalidSubcommand)
+            .is_some_and(|word| names_scene(stage, word))
+        {
+            return Err(error);
+        }
+        words.insert(1, "show".into());
+        parse(&words)
+    })
+}
+
+/// The word that is wrong in this way.
+fn word(error: &clap::Error, kind: ContextKind) -> Option<&str> {
+    match error.get(kind) {
+        Some(ContextValue::String(word)) => Some(word),
+        _ => None,
+    }
+}
+
+/// Whether a word is meant as a scene: it has the name of one, or of a file.
+fn names_scene(stage: &Stage, word: &str) -> bool {
+    let is_file =
+        Path::new(word).extension().is_some() || Path::new(&format!("{word}.toml")).exists();
+    is_file || stage.scenes.iter().any(|scene| scene.name == word)
+}
+
+/// What is right instead of a mistake in a command line, if it is about scenes.
+fn tip(stage: &Stage, error: &clap::Error) -> Option<String> {
+    let lacks_scene = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::Strings(needed)) => needed.iter().any(|word| word.starts_with("<SCENE")),
+        _ => false,
+    };
+    let is_no_command = error.kind() == ErrorKind::InvalidSubcommand
+        && error.get(ContextKind::SuggestedSubcommand).is_none();
+    if lacks_scene || is_no_command {
+        let names: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
+        return Some(format!("the scenes are {}", names.join(", ")));
+    }
+    let more = word(error, ContextKind::InvalidArg).filter(|word| names_scene(stage, word));
+    more.map(|_| "this command takes one scene; `render` takes several".to_owned())
+}
+
 /// Prints the help, or the mistake in a command line, and returns the exit code.
 #[must_use]
-pub fn print_clap_error(help_or_error: &clap::Error) -> ExitCode {
+pub fn print_clap_error(mut help_or_error: clap::Error) -> ExitCode {
+    // No scene begins with a hyphen, and clap takes words for similar that have little in common.
+    if let Some(ContextValue::StyledStrs(tips)) = help_or_error.remove(ContextKind::Suggested) {
+        let tips = tips
+            .into_iter()
+            .filter(|tip| !tip.to_string().contains(" as a value, "))
+            .collect();
+        help_or_error.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
+    }
+    let [wrong, similar] = [ContextKind::InvalidArg, ContextKind::SuggestedArg]
+        .map(|kind| word(&help_or_error, kind).map(|flag| flag.trim_start_matches('-')));
+    if let (Some(wrong), Some(similar)) = (wrong, similar)
+        && text::nearest(&[similar], wrong).is_none()
+    {
+        help_or_error.remove(ContextKind::SuggestedArg);
+    }
     if !help_or_error.use_stderr() {
         return exit_code(ignore_broken_pipe(help_or_error.print()).map(|()| ExitCode::SUCCESS));
     }
@@ -68,16 +129,6 @@ pub fn exit_code(outcome: Result<ExitCode, Error>) -> ExitCode {
         warn(&format!("error: {error}"));
         ExitCode::from(error.exit_code())
     })
-}
-
-/// The scene that stands instead of a command.
-fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Scene> {
-    [ContextKind::InvalidSubcommand, ContextKind::InvalidArg]
-        .into_iter()
-        .find_map(|kind| match error.get(kind) {
-            Some(ContextValue::String(word)) => stage.scenes.iter().find(|s| s.name == word),
-            _ => None,
-        })
 }
 
 fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<ExitCode, Error> {

@@ -1,12 +1,14 @@
 //! Where pictures and texts are written: `Target` for pictures, `write_text` for a text.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file, text};
+use common::{Error, Image, Scene, Size, Stage, Transfer, atomic_file, picture_file, text};
 
 use crate::options::Options;
 use crate::print::warn;
+use crate::save::save_beside_others;
 
 /// The folder for pictures, below the current one.
 const DEFAULT_FOLDER: &str = "out";
@@ -73,6 +75,31 @@ impl Target {
         }
     }
 
+    /// Writes the rows of an unfinished picture beside the place of the finished one, over no other picture; the rows
+    /// that are missing are black.
+    pub fn keep_rows(
+        &self,
+        stage: &Stage,
+        scene: &Scene,
+        size: Size,
+        rows: &BTreeMap<u32, Vec<u8>>,
+    ) -> Result<(), Error> {
+        if rows.is_empty() {
+            return Ok(());
+        }
+        let path = self.path(stage, scene);
+        let folder = path.parent().unwrap_or(&path);
+        make_folder(folder)?;
+        let black = vec![0; 3 * size.width() as usize];
+        let rows = (0..size.height()).map(|y| rows.get(&y).unwrap_or(&black));
+        let bytes = rows.flatten().copied().collect::<Vec<_>>();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let path = save_beside_others(folder, &format!("{name}-unfinished"), size, &bytes)?;
+        let path = text::path(&path);
+        warn(&format!("note: {path} has the rows that were drawn"));
+        Ok(())
+    }
+
     /// Writes the picture of `scene` and returns its path.
     pub fn write(
         &self,
@@ -90,7 +117,8 @@ impl Target {
     }
 }
 
-fn ends_in(path: &Path, ending: &str) -> bool {
+/// Whether a name has this ending, in small or capital letters.
+pub fn ends_in(path: &Path, ending: &str) -> bool {
     path.extension()
         .is_some_and(|end| end.eq_ignore_ascii_case(ending))
 }

@@ -124,7 +124,9 @@ fn clear(folder: &Path, place: &Path) {
 fn paint(settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
     let samples = settings.size.pixels() as u64 * u64::from(settings.samples);
     if samples > 4096 {
-        return Err(Error::Stopped);
+        return Err(Error::Memory {
+            size: settings.size,
+        });
     }
     let color = |x, y| Color::from_bytes([x as u8, y as u8, 0]);
     let image = Image::from_fn(settings.size, color)?;

@@ -4,10 +4,10 @@ mod extremes;
 mod report;
 
 use std::ffi::OsString;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
+use command_line::Measure;
 use common::Error;
 
 use crate::Laboratory;
@@ -15,21 +15,9 @@ use crate::Laboratory;
 /// Measures the lesson: error against run time, stiff and extreme cases.
 #[derive(Parser)]
 #[command(version, disable_help_subcommand = true)]
-enum Command {
-    /// Report error against run time: a table, CSV and plots
-    Report {
-        /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
-        names: Vec<String>,
-
-        /// The folder for CSV and plots [default: out/report/]
-        #[arg(short, long, value_name = "DIR")]
-        output: Option<PathBuf>,
-    },
-    /// Show the stiff and extreme cases; exit code 1 if one fails
-    Extremes {
-        /// Beginnings of ids, such as A or A01 [default: all]
-        names: Vec<String>,
-    },
+struct CommandLine {
+    #[command(subcommand)]
+    measure: Measure,
 }
 
 /// Runs the program of a laboratory with the arguments of this process.
@@ -44,18 +32,18 @@ pub fn run_with(
     laboratory: &Laboratory,
     arguments: impl IntoIterator<Item = OsString>,
 ) -> ExitCode {
-    match Command::try_parse_from(arguments) {
-        Ok(command) => {
-            let done = execute(laboratory, command);
+    match CommandLine::try_parse_from(arguments) {
+        Ok(CommandLine { measure }) => {
+            let done = execute(laboratory, measure);
             command_line::exit_code(done.map(|()| ExitCode::SUCCESS))
         }
-        Err(help_or_error) => command_line::print_clap_error(&help_or_error),
+        Err(help_or_error) => command_line::print_clap_error(help_or_error),
     }
 }
 
-fn execute(laboratory: &Laboratory, command: Command) -> Result<(), Error> {
-    match command {
-        Command::Report { names, output } => report::report(laboratory, &names, output),
-        Command::Extremes { names } => extremes::show_extremes(laboratory, &names),
+fn execute(laboratory: &Laboratory, measure: Measure) -> Result<(), Error> {
+    match measure {
+        Measure::Report { names, output } => report::report(laboratory, &names, output),
+        Measure::Extremes { names } => extremes::show_extremes(laboratory, &names),
     }
 }
