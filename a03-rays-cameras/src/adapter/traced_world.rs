@@ -4,6 +4,7 @@ use std::any::Any;
 
 use common::Color;
 
+use super::export::{Values, WrittenLight, WrittenShape};
 use super::instruments::Instruments;
 use crate::{Ray, View};
 
@@ -20,18 +21,18 @@ pub trait TracedWorld: Any + Send + Sync {
 
     /// The shapes of the world as the values of their tables in a scene file, each with the
     /// number of its surface in the engine's scene.
-    fn written_shapes(&self) -> Vec<scene_file::WrittenShape> {
+    fn written_shapes(&self) -> Vec<WrittenShape> {
         Vec::new()
     }
 
     /// The materials of the engine's surfaces as the values of their tables; none of a type that has
     /// no table.
-    fn written_materials(&self) -> Vec<Option<scene_file::Values>> {
+    fn written_materials(&self) -> Vec<Option<Values>> {
         Vec::new()
     }
 
     /// The lights of the world as the values of their tables, in the order of the engine's.
-    fn written_lights(&self) -> Vec<scene_file::WrittenLight> {
+    fn written_lights(&self) -> Vec<WrittenLight> {
         Vec::new()
     }
 

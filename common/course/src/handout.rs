@@ -1,6 +1,5 @@
 //! `handout`: the workbook up to a stage, as far as its exercises need it: the packages that they are built of, without
-//! tests and benchmarks, and the pages of its stages. On request without solutions: checks need no more than the
-//! recorded answers.
+//! tests, and the pages of its stages. On request without solutions: checks need no more than the recorded answers.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -236,19 +235,15 @@ fn withhold_solutions(workbook: &mut Workbook, chosen: &[Exercise]) -> Result<()
     Ok(())
 }
 
-/// A manifest without benchmarks and without the lines about packages that are not handed out: as members, as libraries
-/// of tests, and in profiles.
+/// A manifest without the lines about packages that are not handed out: as members, as libraries of tests, and in
+/// profiles.
 fn without_packages(manifest: &str, absent: &[Package]) -> String {
     let mut text = String::new();
-    let mut is_of_bench = false;
     for line in manifest.lines() {
-        if line.starts_with('[') {
-            is_of_bench = line == "[[bench]]";
-        }
         let first = line.split([' ', '.']).next();
         let member = line.trim().trim_end_matches(',').trim_matches('"');
         let is_absent = |of: &Package| first == Some(&*of.name) || member == of.folder;
-        if !is_of_bench && !absent.iter().any(is_absent) {
+        if !absent.iter().any(is_absent) {
             text += line;
             text += "\n";
         }

@@ -1,5 +1,4 @@
-//! Scenes as text: reads the numbers of a scene from a TOML file, and writes the scenes of
-//! the engine as TOML and for POV-Ray.
+//! Scenes as text: reads the numbers of a scene from a TOML file.
 //!
 //! [`TABLES`] is the list of all tables and keys. [`SceneFile`] holds the numbers of a file with
 //! their positions. Each stage makes shapes, lights and materials of them with its own
@@ -7,7 +6,6 @@
 
 mod color_text;
 mod error;
-mod export;
 mod first_mistake;
 mod form;
 mod item;
@@ -17,7 +15,6 @@ mod mesh;
 mod mistake;
 mod notes;
 mod numbers;
-mod phrases;
 mod range;
 mod reader;
 mod scene_file;
@@ -27,13 +24,11 @@ mod uses;
 
 pub use color_text::names as color_names;
 pub use error::Error;
-pub use export::{Values, WrittenLight, WrittenShape, exact_angle, export, write_camera};
 pub use first_mistake::FirstMistake;
 pub use form::Form;
 pub use item::{Data, Item};
 pub use key::{Key, Missing};
 pub use kind::{FILE, Kind, Notation, TABLES};
 pub use mesh::Mesh;
-pub use phrases::{POV_RAY, Phrases, TOML};
 pub use range::Range;
 pub use scene_file::{Meshes, SceneFile};

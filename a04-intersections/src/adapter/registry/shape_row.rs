@@ -3,7 +3,8 @@
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
-use scene_file::{Error, Item, Values};
+use a03_rays_cameras::export::Values;
+use scene_file::{Error, Item};
 
 use super::Shared;
 use crate::Geometry;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use scene_file::WrittenShape;
+use a03_rays_cameras::export::WrittenShape;
 
 use super::{Content, ShapeKind, Shapes};
 use crate::{Geometry, World};

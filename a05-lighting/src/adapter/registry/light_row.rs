@@ -3,7 +3,8 @@
 use std::any::Any;
 
 use a02_math::Point3;
-use scene_file::{Error, Item, Values, WrittenLight};
+use a03_rays_cameras::export::{Values, WrittenLight};
+use scene_file::{Error, Item};
 
 use crate::Light;
 

@@ -1,6 +1,8 @@
-//! `export`: writes a scene of the engine in a language.
+//! `export`: writes a scene, in the numbers of the engine and of its rows, in a language.
 
+mod phrases;
 mod shape;
+mod view;
 mod words;
 
 use std::collections::HashMap;
@@ -10,7 +12,7 @@ use common::{Color, Settings};
 use engine::{Camera, Scene, Transform};
 use glam::DVec3;
 
-use crate::Phrases;
+pub use phrases::{POV_RAY, Phrases, TOML};
 
 /// The values of a table, by its keys.
 pub type Values = Vec<(&'static str, Vec<f64>)>;

@@ -1,10 +1,10 @@
 //! The words for a table, of a shape or a light, and its values.
 
 use glam::DVec3;
+use scene_file::TABLES;
 
-use super::Values;
-use crate::phrases::number;
-use crate::{Phrases, kind};
+use super::phrases::number;
+use super::{Phrases, Values};
 
 /// The smallest distance between two of a triangle's unit normals that is written for a language
 /// in which a triangle of equal normals is flat.
@@ -93,7 +93,8 @@ fn line(key: &str, name: &str, numbers: &[f64]) -> String {
         let numbers: Vec<_> = numbers.iter().map(|n| number(*n)).collect();
         numbers.join(", ")
     };
-    let lengths = kind::find(key).key(name).and_then(|key| key.form.lengths());
+    let kind = TABLES.iter().find(|kind| kind.name == key);
+    let lengths = kind.and_then(|kind| kind.key(name)?.form.lengths());
     let value = match (lengths, numbers) {
         (Some([_, columns]), _) => {
             let rows: Vec<_> = numbers

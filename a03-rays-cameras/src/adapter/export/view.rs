@@ -1,10 +1,10 @@
 //! Writes a view in another language, from the numbers of its rows.
 
 use common::{Error, Settings};
-use scene_file::{POV_RAY, TOML, export, write_camera};
 
-use super::camera_for_engine;
+use super::{POV_RAY, TOML, export, write_camera};
 use crate::View;
+use crate::registry::camera_for_engine;
 
 impl View {
     /// The scene as text in a language, `toml` or `povray`.

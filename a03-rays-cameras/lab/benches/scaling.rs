@@ -1,8 +1,8 @@
 //! How build time and time per ray grow with the number of objects.
 //!
 //! ```console
-//! $ cargo bench -p engine --bench scaling             a table
-//! $ cargo bench -p engine --bench scaling -- --book   and the plot of the README
+//! $ cargo bench -p a03-lab --bench scaling             a table
+//! $ cargo bench -p a03-lab --bench scaling -- --book   and the plot of the engine's README
 //! ```
 //!
 //! From ten spheres in a cube to a million, which fill a ninth of it. Times in nanoseconds on
@@ -189,7 +189,7 @@ fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
     };
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     Measured::new(experiment, 1, |_, _| {}).write_plots(folder, "engine", None)?;
-    let plot = Path::new(env!("CARGO_MANIFEST_DIR")).join("scaling.svg");
+    let plot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../common/engine/scaling.svg");
     fs::copy(folder.join("engine-scaling.svg"), plot)?;
     Ok(())
 }

@@ -2,7 +2,7 @@
 //!
 //! ```sh
 //! apt-get install povray tachyon time
-//! cargo bench -p engine --bench peers
+//! cargo bench -p a03-lab --bench peers
 //! ```
 //!
 //! Behind `--`, `hills nodes --size 640x480` takes two scenes, small, and `--alone --rounds 20` measures
