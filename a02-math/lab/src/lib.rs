@@ -3,11 +3,9 @@
 #![doc(hidden)]
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
-pub mod exact;
 mod experiments;
 mod extremes;
 pub mod protocol;
-pub mod sweep;
 pub mod sweeps;
 
 use measure::Laboratory;

@@ -2,9 +2,9 @@
 
 use a02_math::Vector3;
 use measure::extremes::Both;
+use measure::sweep::{Exercise, Point, Sweep, arc_tangent};
 
 use crate::protocol;
-use crate::sweep::{Exercise, Point, Sweep, arc_tangent};
 
 /// The angle between two vectors.
 pub const ANGLE: Sweep = Sweep {

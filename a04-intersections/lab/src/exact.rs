@@ -4,7 +4,7 @@
 //! The formulas are those of [`formula`](crate::formula), in numbers with twice the digits. The
 //! tests compare them with values of mpmath at 200 digits.
 
-pub use a02_lab::exact::DoubleDouble;
+use measure::exact::DoubleDouble;
 
 use crate::formula::sphere::{self, SphereQuery};
 use crate::formula::triangle::{self, PlaneHit};

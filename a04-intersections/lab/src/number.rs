@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::exact::DoubleDouble;
+use measure::exact::DoubleDouble;
 
 /// Three coordinates.
 pub type Triple<N = f64> = [N; 3];

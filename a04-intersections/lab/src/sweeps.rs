@@ -10,10 +10,10 @@ pub use far_ball::FAR_BALL;
 pub use needle::NEEDLE;
 pub use tangent::TANGENT;
 
-use a02_lab::exact::DoubleDouble;
-use a02_lab::sweep::{Exercise, Point};
 use a03_rays_cameras::Ray;
+use measure::exact::DoubleDouble;
 use measure::extremes::Both;
+use measure::sweep::{Exercise, Point};
 
 use crate::compared_shape::{ComparedShape, SPHERE};
 use crate::formula::sphere::terms;

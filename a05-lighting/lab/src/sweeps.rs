@@ -1,9 +1,9 @@
 //! A problem of this stage from harmless to extreme.
 
-use a02_lab::sweep::{Point, Sweep, tangent};
 use a02_math::{Point3, Vector3};
 use common::Color;
 use measure::extremes::Both;
+use measure::sweep::{Point, Sweep, tangent};
 
 use crate::protocol;
 use a05_lighting::{Light, SpotLight};

@@ -1,9 +1,9 @@
 //! A problem of this stage from harmless to extreme.
 
-use a02_lab::sweep::{Point, Sweep};
 use a02_math::{Direction, Point3, Vector3};
 use a07_transforms::Mat4x4;
 use measure::extremes::{Both, greatest};
+use measure::sweep::{Point, Sweep};
 
 use crate::extremes::matrices::{Chain, off_identity};
 

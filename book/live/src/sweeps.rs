@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use a02_lab::sweep::{HALF_OF_THE_DIGITS, Point, Sweep, ten_to};
 use common::Error;
 use measure::extremes::{Both, Outcome};
+use measure::sweep::{HALF_OF_THE_DIGITS, Point, Sweep, ten_to};
 
 use crate::{Answer, Answered};
 

@@ -14,6 +14,7 @@
 mod command_line;
 mod curve;
 mod effort;
+pub mod exact;
 #[cfg(test)]
 mod example;
 pub mod experiment;
@@ -32,6 +33,7 @@ mod rounds;
 pub mod scene_report;
 mod student;
 mod sure;
+pub mod sweep;
 
 #[cfg(not(target_family = "wasm"))]
 pub use command_line::{run, run_with};

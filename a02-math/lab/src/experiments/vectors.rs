@@ -3,9 +3,9 @@
 //! The inputs are numbers with few binary digits, so that the angle is known exactly and only the method
 //! rounds.
 
+use measure::exact::sum_of_products;
 use measure::experiment::{Axis, Curve, Experiment, Slope, TaskSet, Unit};
 
-use crate::exact::sum_of_products;
 use crate::protocol;
 use a02_math::{Direction, Vector3};
 

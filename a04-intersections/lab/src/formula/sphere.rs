@@ -4,7 +4,7 @@
 //! which no cancellation spoils; the same with one term in twice as many digits; and the plain one,
 //! for numbers that have digits to spare.
 
-use a02_lab::exact::DoubleDouble;
+use measure::exact::DoubleDouble;
 
 use crate::line::Line;
 use crate::number::{Number, Triple, difference, dot};

@@ -1,7 +1,7 @@
 //! A direction that is not of length 1.
 
-use a02_lab::sweep::{Point, Sweep};
 use measure::extremes::Both;
+use measure::sweep::{Point, Sweep};
 
 use super::{UNIT, exercise, hit_of_unit};
 use crate::compared_shape::SPHERE;

@@ -1,6 +1,6 @@
 //! A ball of radius 1 that goes away.
 
-use a02_lab::sweep::Sweep;
+use measure::sweep::Sweep;
 
 use super::{UNIT, both, exercise, hit_of_unit};
 use crate::compared_shape::SPHERE;

@@ -1,8 +1,8 @@
 //! A triangle that becomes a needle.
 
-use a02_lab::exact::DoubleDouble;
-use a02_lab::sweep::{Point, Sweep};
+use measure::exact::DoubleDouble;
 use measure::extremes::Both;
+use measure::sweep::{Point, Sweep};
 
 use super::{ahead, both, exercise};
 use crate::compared_shape::TRIANGLE;

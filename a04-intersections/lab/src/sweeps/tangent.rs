@@ -1,6 +1,6 @@
 //! A ray that comes nearer and nearer to a sphere's tangent.
 
-use a02_lab::sweep::Sweep;
+use measure::sweep::Sweep;
 
 use super::{UNIT, both, exercise, hit_of_unit};
 use crate::compared_shape::SPHERE;

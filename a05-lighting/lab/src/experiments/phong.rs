@@ -1,6 +1,6 @@
 //! The power of highlights.
 
-use a02_lab::exact::DoubleDouble;
+use measure::exact::DoubleDouble;
 use measure::experiment::{Axis, Curve, Errors, Experiment, Point, Slope, Times, Unit};
 
 use a05_lighting::power::squaring;

@@ -1,6 +1,6 @@
 //! Arithmetic with 106 binary digits, by which stage 2 measures sums and products.
 
-use a02_lab::exact::DoubleDouble;
+use measure::exact::DoubleDouble;
 
 /// 1 + 2^-54 and -1 + 2^-107: the rest lies 107 binary digits below.
 #[test]

@@ -1,12 +1,13 @@
 //! The formulas that stage 4 measures are those of the renderer, and the exact ones are exact.
 
-use a04_lab::exact::{self, DoubleDouble as Number, triangle};
+use a04_lab::exact::{self, triangle};
 use a04_lab::experiments::far_sphere::{ours, queries};
 use a04_lab::experiments::needle::needles;
 use a04_lab::formula::sphere::{self, stable};
 use a04_lab::formula::triangle::{fused, rounded, watertight};
 use a04_lab::line::line;
 use a04_lab::support::first;
+use measure::exact::DoubleDouble as Number;
 
 #[test]
 fn the_stable_formula_is_that_of_the_renderer() {

@@ -6,6 +6,7 @@ use a04_lab::exact;
 use a04_lab::formula::sphere::{SphereQuery, terms};
 use a04_lab::line::Line;
 use a04_lab::protocol::{self, Quadratic};
+use measure::exact::DoubleDouble;
 
 use super::{Answered, both_hits, direction, flat, place, point};
 use crate::Answer;
@@ -35,9 +36,7 @@ pub fn answer([x, y, angle, power, cx, cy]: [f64; 6]) -> Answered {
     let our_terms = terms(&query.from_center(), query.radius, &query.line.direction);
 
     let hits = exact::sphere(&query);
-    let roots = hits
-        .roots
-        .map(|roots| roots.map(exact::DoubleDouble::value));
+    let roots = hits.roots.map(|roots| roots.map(DoubleDouble::value));
     let exact = roots.map_or(Vec::new(), Vec::from);
     let beside = hits.distance;
     let exact_discriminant = 4.0 * a * (1.0 - beside) * (1.0 + beside);

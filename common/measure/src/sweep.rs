@@ -1,8 +1,7 @@
 //! `Sweep`: a problem with one number that a reader turns from harmless to extreme.
 
-use measure::extremes::{Both, ulp};
-
 use crate::exact::DoubleDouble;
+use crate::extremes::{Both, ulp};
 
 /// A problem that one number makes harder and harder.
 pub struct Sweep {
@@ -16,8 +15,9 @@ pub struct Sweep {
     pub shows: &'static str,
     /// Its stage.
     pub stage: &'static str,
-    /// The powers of ten of the number, from the first to the last, and the one that is harmless.
+    /// The first and the last power of ten of the number.
     pub powers: [f64; 2],
+    /// The power of ten at which the problem is harmless.
     pub harmless: f64,
     /// From one power to the next.
     pub step: f64,

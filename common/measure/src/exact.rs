@@ -1,5 +1,7 @@
 //! Arithmetic with twice the digits of a double: `DoubleDouble`, a number as the unevaluated
 //! sum of two doubles.
+//!
+//! Each operation is inlined, because the formulas of the laboratories are optimised, and this crate is not.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -11,6 +13,7 @@ struct RoundedSum {
 
 /// The rounded sum and its rounding error (Knuth, The Art of Computer
 /// Programming, volume 2, section 4.2.2).
+#[inline]
 fn sum_with_error(a: f64, b: f64) -> RoundedSum {
     let sum = a + b;
     let b_of_sum = sum - a;
@@ -40,6 +43,7 @@ pub struct DoubleDouble {
 
 impl DoubleDouble {
     /// The sum of a double and a much smaller one.
+    #[inline]
     fn normalized(high: f64, low: f64) -> Self {
         let sum = high + low;
         Self {
@@ -49,11 +53,13 @@ impl DoubleDouble {
     }
 
     /// The nearest double.
+    #[inline]
     pub const fn value(self) -> f64 {
         self.high
     }
 
     /// The difference of a double and this number.
+    #[inline]
     pub fn error_of(self, computed: f64) -> f64 {
         (computed - self.high) - self.low
     }
@@ -125,6 +131,7 @@ impl DoubleDouble {
 }
 
 impl From<f64> for DoubleDouble {
+    #[inline]
     fn from(number: f64) -> Self {
         Self {
             high: number,
@@ -136,6 +143,7 @@ impl From<f64> for DoubleDouble {
 impl Neg for DoubleDouble {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         Self {
             high: -self.high,
@@ -147,6 +155,7 @@ impl Neg for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         let high = sum_with_error(self.high, other.high);
         let low = sum_with_error(self.low, other.low);
@@ -158,6 +167,7 @@ impl Add for DoubleDouble {
 impl Sub for DoubleDouble {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -172,6 +182,7 @@ impl Mul for DoubleDouble {
         clippy::disallowed_methods,
         reason = "one rounding instead of two is what makes the error exact"
     )]
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let high = self.high * other.high;
         let error = self.high.mul_add(other.high, -high);
@@ -185,6 +196,7 @@ impl Div for DoubleDouble {
 
     /// Long division with three digits, each of which is a double. A quotient beyond all doubles
     /// is infinite.
+    #[inline]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
         if first.is_infinite() {
