@@ -1,7 +1,5 @@
 //! How a [`Bvh`] is built, on all threads: top-down, by the surface area heuristic.
 
-use std::sync::{Mutex, PoisonError};
-
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
 use super::bvh::{Bvh, Child, LEVELS, Node};
@@ -20,9 +18,8 @@ impl Bvh {
     /// The tree of at least one shape. `renumber` gives the shapes, sorted in the order of the
     /// leaves, their final ids.
     pub fn new(space: TreeSpace, mut items: Vec<Item>, renumber: impl FnOnce(&mut [Item])) -> Self {
-        let nodes = Mutex::default();
-        add_node(&nodes, (0, &mut items), 0);
-        let mut nodes = nodes.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let mut nodes = Vec::new();
+        add_node(&mut nodes, (0, &mut items), 0);
         renumber(&mut items);
         let (mut leaves, mut width) = (0.0, 0.0);
         for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
@@ -42,31 +39,58 @@ impl Bvh {
 }
 
 /// Adds the node of a group after those of its children, and returns its index.
-fn add_node(nodes: &Mutex<Vec<Node>>, group: Group, level: usize) -> u32 {
+fn add_node(nodes: &mut Vec<Node>, group: Group, level: usize) -> u32 {
     let is_parallel = group.1.len() > PARALLEL_ABOVE;
-    let child = |(first, group): Group| {
-        let child = if is_leaf(group) {
-            Child::Leaf(Leaf {
-                kind: group[0].shape.kind,
-                count: group.len() as u8,
-                first: first as u32,
-            })
-        } else {
-            Child::Node(add_node(nodes, (first, &mut *group), level + 1))
-        };
-        (bounds(group), child)
-    };
     let groups = divide(group, level);
     let mut children = Vec::new();
     if is_parallel {
+        let add_alone = |group: Group| {
+            let mut own = Vec::new();
+            let child = add_child(&mut own, group, level);
+            (own, child)
+        };
+        let mut parts = Vec::new();
         let groups = groups.into_par_iter().with_max_len(1);
-        groups.map(child).collect_into_vec(&mut children);
+        groups.map(add_alone).collect_into_vec(&mut parts);
+        // They follow in the order of the groups, whichever thread was ready first.
+        for (own, (bounds, child)) in parts {
+            let before = nodes.len() as u32;
+            for mut node in own {
+                node.children = node.children.map(|child| behind(before, child));
+                nodes.push(node);
+            }
+            children.push((bounds, behind(before, child)));
+        }
     } else {
-        children.extend(groups.into_iter().map(child));
+        for group in groups {
+            children.push(add_child(nodes, group, level));
+        }
     }
-    let mut nodes = nodes.lock().unwrap_or_else(PoisonError::into_inner);
     nodes.push(node(&children));
     nodes.len() as u32 - 1
+}
+
+/// Adds the nodes of a group, unless it is a leaf, and returns it as a child of a node of a level.
+fn add_child(nodes: &mut Vec<Node>, group: Group, level: usize) -> (TreeBounds, Child) {
+    let (first, group) = group;
+    let child = if is_leaf(group) {
+        Child::Leaf(Leaf {
+            kind: group[0].shape.kind,
+            count: group.len() as u8,
+            first: first as u32,
+        })
+    } else {
+        Child::Node(add_node(nodes, (first, &mut *group), level + 1))
+    };
+    (bounds(group), child)
+}
+
+/// A child whose node stands behind so many others.
+const fn behind(others: u32, child: Child) -> Child {
+    match child {
+        Child::Node(index) => Child::Node(others + index),
+        Child::Leaf(leaf) => Child::Leaf(leaf),
+    }
 }
 
 /// A node with these children.

@@ -1,6 +1,8 @@
 //! Tests of `bvh_build`. A shape that is in no leaf, or outside of the bounds above, is missed in the
 //! comparisons with the lesson.
 
+use rayon::ThreadPoolBuilder;
+
 use super::*;
 use crate::accel::split::tests::cluster;
 
@@ -30,4 +32,20 @@ fn a_node_has_room_for_eight() {
     assert_eq!(sizes(cluster(2, 0.0, 1.0).collect()), [1; 2]);
     let sizes = sizes(cluster(32, 0.0, 1.0).collect());
     assert_eq!(sizes, [4; 8]);
+}
+
+/// Four threads divide the groups side by side, and the nodes stand in the order of one thread.
+#[test]
+fn threads_do_not_change_the_order_of_the_nodes() {
+    let children = |threads| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let mut shapes: Vec<_> = cluster(10 * PARALLEL_ABOVE as u32, 0.0, 1.0).collect();
+        let mut nodes = Vec::new();
+        let root = pool
+            .unwrap()
+            .install(|| add_node(&mut nodes, (0, &mut shapes), 0));
+        assert_eq!(root as usize, nodes.len() - 1);
+        nodes.iter().map(|node| node.children).collect::<Vec<_>>()
+    };
+    assert_eq!(children(1), children(4));
 }
