@@ -129,7 +129,7 @@ fn required(key: &str) -> String {
 fn property(key: &Key, is_of_file: bool) -> String {
     let has_shapes = |kind: &Kind| kind.key("sphere").is_some() || kind.name == "use";
     let form = match key.form {
-        Form::Text => r#""type": "string""#.to_owned(),
+        Form::Text | Form::Mesh => r#""type": "string""#.to_owned(),
         Form::Flag => r#""type": "boolean""#.to_owned(),
         Form::Color => format!(
             r##""anyOf": [{{ {} }}, {{ "$ref": "#/definitions/color_text" }}]"##,

@@ -16,6 +16,8 @@ pub enum Form {
     Color,
     /// A text.
     Text,
+    /// The name of a mesh file.
+    Mesh,
     /// True or false.
     Flag,
     /// Tables of the kind of this name.
@@ -28,6 +30,7 @@ impl Form {
         Some(match text {
             "color" => Self::Color,
             "text" => Self::Text,
+            "mesh file" => Self::Mesh,
             "true or false" => Self::Flag,
             header if header.starts_with(['[', '{']) => Self::Tables(kind::name(header)),
             numbers => {
@@ -49,7 +52,7 @@ impl Form {
         match self {
             Self::Numbers { lengths, .. } => Some(lengths),
             Self::Color => Some(&[3]),
-            Self::Text | Self::Flag | Self::Tables(_) => None,
+            Self::Text | Self::Mesh | Self::Flag | Self::Tables(_) => None,
         }
     }
 
@@ -70,7 +73,7 @@ impl Form {
     pub fn words(&self) -> String {
         match self {
             Self::Color => "a color, such as [1, 0.5, 0], \"#ff8000\" or \"orange\"".to_owned(),
-            Self::Text => "a text in quotation marks".to_owned(),
+            Self::Text | Self::Mesh => "a text in quotation marks".to_owned(),
             Self::Flag => "true or false".to_owned(),
             Self::Tables("step") => "a list of steps, such as [{ scale = [1, 2, 1] }]".to_owned(),
             Self::Tables(name) => format!("a table: {}", kind::find(name).header),

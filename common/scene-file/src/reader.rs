@@ -224,7 +224,7 @@ impl Reader<'_> {
     /// The value of a key of a table of a kind.
     fn data(&self, kind: &Kind, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
         match (&key.form, value.get_ref()) {
-            (Form::Text, DeValue::String(file)) if key.name == "file" => {
+            (Form::Mesh, DeValue::String(file)) => {
                 let mesh = (self.meshes)(file);
                 let mut mesh = mesh.map_err(|reason| self.cannot_read(file, &reason, value))?;
                 mesh.file = file.to_string();

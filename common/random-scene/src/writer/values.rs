@@ -60,7 +60,7 @@ impl Writer<'_> {
             }
             Form::Color => self.color(),
             Form::Flag => self.numbers.one_of(&["true", "false"]).to_owned(),
-            Form::Text if key.name == "file" => {
+            Form::Mesh => {
                 let name = self.numbers.one_of(&MESHES);
                 let numbers = &mut self.numbers;
                 self.meshes
