@@ -3,7 +3,7 @@
 use std::fs;
 
 use a07_transforms::stage;
-use testing::picture_lock::{Shown, check_shown};
+use testing::picture_lock::{BookPicture, check_book_pictures};
 
 #[path = "../examples/dahlia.rs"]
 #[expect(dead_code, reason = "the example's own main")]
@@ -16,10 +16,10 @@ testing::lock_pictures! {
 
 #[test]
 fn the_book_shows_what_scene_files_and_the_dahlia_draw() {
-    let mut shown = Vec::new();
+    let mut pictures = Vec::new();
     for scene in example::stage().scenes {
         let name = format!("{}.png", scene.name);
-        shown.push(Shown { name, scene });
+        pictures.push(BookPicture { name, scene });
     }
     let open = stage().open.unwrap();
     for file in fs::read_dir("scenes").unwrap() {
@@ -27,8 +27,8 @@ fn the_book_shows_what_scene_files_and_the_dahlia_draw() {
         if path.extension() == Some("toml".as_ref()) {
             let scene = open(&path).unwrap();
             let name = format!("scene-{}.png", scene.name);
-            shown.push(Shown { name, scene });
+            pictures.push(BookPicture { name, scene });
         }
     }
-    check_shown(&shown, &TEST_PATHS);
+    check_book_pictures(&pictures, &TEST_PATHS);
 }

@@ -8,7 +8,7 @@ type Code = fn(Size) -> Result<Image, Error>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("diagonal", |diagonal: &Code, settings| {
+        picture: StudentPicture::scene("diagonal", |diagonal: &Code, settings| {
             diagonal(settings.size)
         }),
         ..Exercise::asked(|diagonal: &Code, size| painted(size, diagonal))

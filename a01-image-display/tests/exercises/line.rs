@@ -8,7 +8,7 @@ type Code = fn(Size) -> Result<Image, Error>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|line: &Code, settings| line(settings.size)),
+        picture: StudentPicture::own(|line: &Code, settings| line(settings.size)),
         ..Exercise::asked(|line: &Code, size| painted(size, line))
     }
 }

@@ -10,8 +10,6 @@ mod prelude {
     pub use a01_image_display::*;
     pub use common::*;
     pub use testing::exercises::*;
-    // Not the picture of a scene.
-    pub use testing::exercises::Picture;
     pub use testing::yours;
 
     pub use crate::painted::*;

@@ -46,7 +46,7 @@ pub fn exercise() -> Exercise<Code> {
     });
     Exercise {
         forms: vec![red, colors, pictures, light],
-        picture: Picture::own(boat),
+        picture: StudentPicture::own(boat),
         ..Exercise::default()
     }
 }

@@ -16,7 +16,7 @@ pub fn exercise() -> Exercise<Code> {
             Form::new(|code: &Code, light: f64| (code.encode)(light)),
             Form::new(|code: &Code, value: f64| (code.decode)(value)),
         ],
-        picture: Picture::own(test_card),
+        picture: StudentPicture::own(test_card),
         ..Exercise::default()
     }
 }

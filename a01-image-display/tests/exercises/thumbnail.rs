@@ -16,7 +16,7 @@ pub fn exercise() -> Exercise<Code> {
         Some(Answer::named("size", size).and("greys", greys))
     };
     Exercise {
-        picture: Picture::own(|thumbnail: &Code, _| {
+        picture: StudentPicture::own(|thumbnail: &Code, _| {
             thumbnail(&ShowImage::test_card()?.into_image(), 4)
         }),
         ..Exercise::asked(small)

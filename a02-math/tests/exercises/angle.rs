@@ -8,7 +8,7 @@ type Code = fn(Vector3, Vector3) -> f64;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(fans),
+        picture: StudentPicture::own(fans),
         ..Exercise::asked(|angle: &Code, (a, b)| angle(vector(a), vector(b)))
     }
 }

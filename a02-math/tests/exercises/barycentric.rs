@@ -8,7 +8,7 @@ type Code = fn(Point3, [Point3; 3]) -> Option<[f64; 3]>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(triangle),
+        picture: StudentPicture::own(triangle),
         ..Exercise::asked(|barycentric: &Code, (p, a, b, c)| {
             barycentric(point(p), [a, b, c].map(point))
         })

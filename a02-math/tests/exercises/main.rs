@@ -9,8 +9,6 @@ mod prelude {
     pub use a02_math::*;
     pub use common::*;
     pub use testing::exercises::*;
-    // Not the picture of a scene.
-    pub use testing::exercises::Picture;
     pub use testing::yours;
 }
 

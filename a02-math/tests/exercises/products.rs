@@ -12,7 +12,7 @@ pub struct Code {
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(balls),
+        picture: StudentPicture::own(balls),
         ..Exercise::asked(|code: &Code, (a, b)| {
             let (a, b) = (vector(a), vector(b));
             Answer::named("a · b", (code.dot)(a, b)).and("a × b", array((code.cross)(a, b)))

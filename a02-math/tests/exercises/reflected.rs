@@ -9,7 +9,7 @@ yours! { reflected }
 type Code = fn(Vector3, Normal3) -> Vector3;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(parabola),
+        picture: StudentPicture::own(parabola),
         ..Exercise::asked(|reflected: &Code, (v, n)| {
             array(reflected(vector(v), vector(n).as_normal()))
         })

@@ -12,11 +12,11 @@ use measure::experiment::{Curve, Errors, Experiment, Point, Slope, Times};
 use coverage::{disc_coverage, in_disc, in_stripe, stripes};
 use places::{METHODS, Places};
 
-const EDGES: [Picture; 2] = [CURVED_EDGE, LEVEL_EDGE];
+const EDGES: [TestPattern; 2] = [CURVED_EDGE, LEVEL_EDGE];
 
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
-    EDGES.map(Picture::experiment).into()
+    EDGES.map(TestPattern::experiment).into()
 }
 
 /// The light of the pixels of an experiment, row by row from the top.
@@ -55,7 +55,7 @@ pub fn sampled(experiment: &str, method: &str, samples: u32) -> Option<Sampled> 
 
 /// A picture whose pixels have known means, and the question that it answers.
 #[derive(Clone, Copy)]
-struct Picture {
+struct TestPattern {
     name: &'static str,
     question: &'static str,
     /// The light at a position, from 0 to 1. Lengths are in pixels.
@@ -69,7 +69,7 @@ struct Picture {
 }
 
 /// Slopes at curved edges: Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
-const CURVED_EDGE: Picture = Picture {
+const CURVED_EDGE: TestPattern = TestPattern {
     name: "samples-curved-edge",
     question: "Where should samples lie in a pixel that a disc's edge crosses?",
     light: |x, y| if in_disc(x, y) { 1.0 } else { 0.0 },
@@ -80,7 +80,7 @@ const CURVED_EDGE: Picture = Picture {
 };
 
 /// At level edges, a regular grid of n samples has only sqrt(n) heights, and n rooks have n.
-const LEVEL_EDGE: Picture = Picture {
+const LEVEL_EDGE: TestPattern = TestPattern {
     name: "samples-level-edge",
     question: "Where should samples lie in a pixel that a level edge crosses?",
     light: |_, y| if in_stripe(y) { 1.0 } else { 0.0 },
@@ -104,7 +104,7 @@ impl Pixel {
     }
 }
 
-impl Picture {
+impl TestPattern {
     /// An experiment with all samplers.
     fn experiment(self) -> Experiment<'static> {
         Experiment {

@@ -17,7 +17,7 @@ pub fn basis(e: [f64; 3], gaze: [f64; 3]) -> Made<Basis> {
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|new: &Code, settings| {
+        picture: StudentPicture::own(|new: &Code, settings| {
             let camera = new(([1.0, 2.0, 3.0], [0.0, 0.3, -1.0], PI))?;
             render(&*camera, globe, settings, &())
         }),

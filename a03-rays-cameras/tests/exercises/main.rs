@@ -15,8 +15,6 @@ mod prelude {
     pub use a03_rays_cameras::*;
     pub use common::*;
     pub use testing::exercises::*;
-    // Not the picture of a scene.
-    pub use testing::exercises::Picture;
     pub use testing::yours;
 
     pub use crate::sky::*;

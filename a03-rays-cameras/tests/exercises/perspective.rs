@@ -13,7 +13,7 @@ type Code = NewCamera<([[f64; 3]; 3], f64)>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(floor),
+        picture: StudentPicture::own(floor),
         ..cameras()
     }
 }

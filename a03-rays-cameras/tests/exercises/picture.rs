@@ -27,7 +27,7 @@ pub fn exercise() -> Exercise<Code> {
                 },
             ),
         ],
-        picture: Picture::scene("striped-sky", |picture: &Code, settings| {
+        picture: StudentPicture::scene("striped-sky", |picture: &Code, settings| {
             let View { camera, world } = scenes::striped_sky(settings.size, StripeRule::Direction)?;
             picture(&*camera, &|ray| world.color_for(ray), settings)
         }),

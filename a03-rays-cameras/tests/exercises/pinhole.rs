@@ -11,7 +11,7 @@ type Code = NewCamera<([f64; 3], f64)>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("striped-sky", |new: &Code, settings| {
+        picture: StudentPicture::scene("striped-sky", |new: &Code, settings| {
             let sky = scenes::striped_sky(settings.size, StripeRule::Direction)?.world;
             let sky = Box::new(sky).instrumented(Instruments::LESSON);
             let camera = new(([0.0; 3], FRAC_PI_2))?;

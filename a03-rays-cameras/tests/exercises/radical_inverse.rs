@@ -8,7 +8,7 @@ type Code = fn(u32, u32) -> f64;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(points),
+        picture: StudentPicture::own(points),
         ..Exercise::asked(|radical_inverse: &Code, (n, base)| radical_inverse(n, base))
     }
 }

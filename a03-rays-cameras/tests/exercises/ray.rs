@@ -14,7 +14,7 @@ pub struct Code {
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(points_and_feet),
+        picture: StudentPicture::own(points_and_feet),
         ..Exercise::asked(|code: &Code, (o, d, t, p)| {
             let ray = Ray::derived(point(o), vector(d));
             Answer::named("at", array((code.at)(&ray, t))).and("t_of", (code.t_of)(&ray, point(p)))

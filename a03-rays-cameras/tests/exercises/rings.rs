@@ -8,7 +8,7 @@ type Code = fn(Vector3, Vector3, f64) -> u32;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(sky_of_rings),
+        picture: StudentPicture::own(sky_of_rings),
         ..Exercise::asked(|ring: &Code, (direction, pole, width)| {
             ring(vector(direction), vector(pole), width)
         })

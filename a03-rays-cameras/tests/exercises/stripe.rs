@@ -12,7 +12,7 @@ pub type Code = fn(&PinholeCamera, Size, u32, &Ray) -> Made<u32>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("striped-sky", |stripe: &Code, settings| {
+        picture: StudentPicture::scene("striped-sky", |stripe: &Code, settings| {
             let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
             let radiance = |ray: &Ray| {
                 let number = stripe(&camera, settings.size, 10, ray).unwrap_or_default();

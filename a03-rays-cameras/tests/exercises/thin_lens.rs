@@ -8,7 +8,7 @@ type Code = fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(walls),
+        picture: StudentPicture::own(walls),
         ..Exercise::asked(
             |through: &Code, (eye, gaze, focus, [x, y], [right, up]): (_, _, _, [_; 2], [_; 2])| {
                 let camera = camera(eye, gaze).ok()?;

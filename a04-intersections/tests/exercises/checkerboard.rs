@@ -8,7 +8,7 @@ type Code = fn(Point3, Normal3) -> Color;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|checkerboard: &Code, settings| {
+        picture: StudentPicture::own(|checkerboard: &Code, settings| {
             let eye = Eye {
                 from: [3.0, 4.0, 7.0],
                 to: [0.0, 0.6, 0.0],

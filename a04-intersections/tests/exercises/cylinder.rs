@@ -13,7 +13,7 @@ pub fn exercise() -> Exercise<Code> {
         to: [0.0, 0.9, 0.0],
     };
     Exercise {
-        picture: shown((1.0, 2.0), eye),
+        picture: shape_picture((1.0, 2.0), eye),
         ..shapes()
     }
 }

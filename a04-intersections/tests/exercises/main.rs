@@ -13,11 +13,9 @@ mod prelude {
     pub use a04_intersections::*;
     pub use a04_questions::boxes::*;
     pub use a04_questions::shape::*;
-    pub use a04_questions::shown::*;
+    pub use a04_questions::shape_pictures::*;
     pub use common::*;
     pub use testing::exercises::*;
-    // Not the picture of a scene.
-    pub use testing::exercises::Picture;
     pub use testing::yours;
 }
 

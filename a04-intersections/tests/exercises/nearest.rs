@@ -10,7 +10,7 @@ type Code = fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("scene-5", |nearest: &Code, settings| {
+        picture: StudentPicture::scene("scene-5", |nearest: &Code, settings| {
             let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
             let color = |ray: &Ray| {
                 let hit = nearest(&world, ray, Interval::AHEAD);

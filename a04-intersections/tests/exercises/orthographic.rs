@@ -15,7 +15,7 @@ const AHEAD: [[f64; 3]; 3] = [[0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("scene-6", |new: &Code, settings| {
+        picture: StudentPicture::scene("scene-6", |new: &Code, settings| {
             let world = Box::new(scene_6()?.world)
                 .instrumented(a03_rays_cameras::instruments::Instruments::LESSON);
             let camera = new((AHEAD, 3.0))?;

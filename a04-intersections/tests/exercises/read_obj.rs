@@ -17,7 +17,7 @@ f 1 2 3 4 5\nf 10 9 8 7 6\nf 2 7 8 3\nf 6 1 5 10\nf 3 8 9 4\nf 4 9 10 5
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|read_obj: &Code, settings| {
+        picture: StudentPicture::own(|read_obj: &Code, settings| {
             let house = read_obj(HOUSE).into_iter().flatten();
             let house = house.map(|triangle| Box::new(triangle) as Shape);
             let eye = Eye {

@@ -12,7 +12,7 @@ pub fn exercise() -> Exercise<Code> {
         to: [0.05, 0.6, 0.0],
     };
     Exercise {
-        picture: shown(([-0.3, 0.1, -0.7], [0.4, 1.2, 0.6]), eye),
+        picture: shape_picture(([-0.3, 0.1, -0.7], [0.4, 1.2, 0.6]), eye),
         ..shapes()
     }
 }

@@ -13,7 +13,7 @@ pub fn exercise() -> Exercise<Code> {
         to: [0.0, -0.2, 0.0],
     };
     Exercise {
-        picture: shown((2.0, 0.5), eye),
+        picture: shape_picture((2.0, 0.5), eye),
         ..shapes()
     }
 }

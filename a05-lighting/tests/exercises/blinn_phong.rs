@@ -20,7 +20,7 @@ pub fn summed(of_lamp: OfLamp) -> Code {
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|blinn_phong: &Code, settings| {
+        picture: StudentPicture::own(|blinn_phong: &Code, settings| {
             shaded(scenes::phong()?, settings, |diffuse, ray, hit, lights| {
                 blinn_phong(([diffuse, Color::gray(0.7)], 64.0), ray, hit, lights)
             })

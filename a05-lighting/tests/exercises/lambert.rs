@@ -10,7 +10,7 @@ type Code = Shading<Color>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("lambert", |lambert: &Code, settings| {
+        picture: StudentPicture::scene("lambert", |lambert: &Code, settings| {
             shaded(scenes::lambert()?, settings, |diffuse, ray, hit, lights| {
                 lambert(diffuse, ray, hit, lights)
             })

@@ -5,7 +5,7 @@
 mod light;
 mod material;
 mod seen;
-mod shown;
+mod shaded_pictures;
 
 /// All names that checks, examples and students' files use.
 #[allow(unused_imports, ambiguous_glob_reexports)]
@@ -17,14 +17,12 @@ mod prelude {
     pub use a05_lighting::{scenes, *};
     pub use common::*;
     pub use testing::exercises::*;
-    // Not the picture of a scene.
-    pub use testing::exercises::Picture;
     pub use testing::yours;
 
     pub use crate::light::*;
     pub use crate::material::*;
     pub use crate::seen::*;
-    pub use crate::shown::*;
+    pub use crate::shaded_pictures::*;
 }
 
 testing::exercises! {

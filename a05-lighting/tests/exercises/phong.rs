@@ -12,7 +12,7 @@ type Code = Shading<([Color; 2], f64)>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("phong", |phong: &Code, settings| {
+        picture: StudentPicture::scene("phong", |phong: &Code, settings| {
             shaded(scenes::phong()?, settings, |diffuse, ray, hit, lights| {
                 phong(([diffuse, Color::WHITE], 64.0), ray, hit, lights)
             })

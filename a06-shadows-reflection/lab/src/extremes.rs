@@ -3,7 +3,7 @@
 
 mod between_mirrors;
 mod shadows;
-mod slope;
+mod tilted_floor;
 
 use measure::Effort;
 use measure::extremes::{Case, Row, rows};

@@ -9,7 +9,7 @@ type Code = fn(Color, Color, f64, f64) -> Color;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(|fogged: &Code, settings| {
+        picture: StudentPicture::own(|fogged: &Code, settings| {
             rendered(&scenes::sphere()?, settings, |world, ray, depth| {
                 let clear = RecursiveTracer::new(world).trace(ray, depth);
                 let nearest = world.objects().hit(ray, Interval::AHEAD);

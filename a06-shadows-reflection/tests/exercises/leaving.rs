@@ -23,7 +23,7 @@ pub fn exercise() -> Exercise<Code> {
     });
     Exercise {
         forms: forms.into(),
-        picture: Picture::scene("sphere", |leaving: &Code, settings| {
+        picture: StudentPicture::scene("sphere", |leaving: &Code, settings| {
             traced_picture(scenes::sphere()?, settings, |world, ray, depth| {
                 let tracer = Tracer {
                     world,

@@ -23,7 +23,7 @@ pub fn exercise() -> Exercise<Code> {
                 Some(trace(&world, &ray, depth).channels())
             }),
         ],
-        picture: Picture::scene("sphere", |trace: &Code, settings| {
+        picture: StudentPicture::scene("sphere", |trace: &Code, settings| {
             traced_picture(scenes::sphere()?, settings, |world, ray, depth| {
                 trace(world, ray, depth)
             })

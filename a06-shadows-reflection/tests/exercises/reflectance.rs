@@ -9,7 +9,7 @@ type Code = fn(f64, f64, f64) -> f64;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(of_diamond),
+        picture: StudentPicture::own(of_diamond),
         ..Exercise::asked(|reflectance: &Code, [cosine, from, to]: [_; 3]| {
             reflectance(cosine, from, to)
         })

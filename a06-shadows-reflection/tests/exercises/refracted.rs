@@ -10,7 +10,7 @@ type Code = fn(Vector3, Normal3, f64) -> Option<Vector3>;
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::own(under_water),
+        picture: StudentPicture::own(under_water),
         ..Exercise::asked(|refracted: &Code, (d, n, index)| {
             refracted(unit(d), unit(n).as_normal(), index).map(array)
         })

@@ -13,7 +13,7 @@ type Lit = ([f64; 3], ([f64; 3], f64), [f64; 3], f64);
 
 pub fn exercise() -> Exercise<Code> {
     Exercise {
-        picture: Picture::scene("aab", |is_shadowed: &Code, settings| {
+        picture: StudentPicture::scene("aab", |is_shadowed: &Code, settings| {
             traced_picture(scenes::aab()?, settings, |world, ray, depth| {
                 let tracer = Tracer {
                     world,

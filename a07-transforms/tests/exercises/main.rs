@@ -13,14 +13,12 @@ mod prelude {
     pub use a03_rays_cameras::*;
     pub use a04_intersections::*;
     pub use a04_questions::shape::*;
-    pub use a04_questions::shown::*;
+    pub use a04_questions::shape_pictures::*;
     pub use a05_lighting::*;
     pub use a06_shadows_reflection::*;
     pub use a07_transforms::*;
     pub use common::*;
     pub use testing::exercises::*;
-    // Not the picture of a scene.
-    pub use testing::exercises::Picture;
     pub use testing::yours;
 
     pub use crate::pictures::*;

@@ -20,8 +20,11 @@ pub struct LitScene {
 
 impl LitScene {
     /// The scene with the objects that code adds to its world.
-    pub fn with<C: 'static>(self, add: fn(&C, ShadowedWorld) -> Made<ShadowedWorld>) -> Picture<C> {
-        Picture::scene(self.name, move |code, settings| {
+    pub fn with<C: 'static>(
+        self,
+        add: fn(&C, ShadowedWorld) -> Made<ShadowedWorld>,
+    ) -> StudentPicture<C> {
+        StudentPicture::scene(self.name, move |code, settings| {
             let light = PointLight::new(Color::WHITE, point(self.lamp))?;
             let world = ShadowedWorld::empty(Color::BLACK, Color::gray(self.ambient))?;
             let world = world.lit_by(LightSource::new(light, self.casts_shadows));
@@ -63,8 +66,8 @@ pub fn yellow() -> Made<Box<Lambert>> {
 
 /// Shows a world that is made with the student's code. Surfaces that face right, up or the eye
 /// are brighter than others.
-pub fn lit<C: 'static>(eye: Eye, world: fn(&C) -> Made<World<Color>>) -> Picture<C> {
-    Picture::own(move |code, settings| {
+pub fn lit<C: 'static>(eye: Eye, world: fn(&C) -> Made<World<Color>>) -> StudentPicture<C> {
+    StudentPicture::own(move |code, settings| {
         eye.show(&world(code)?, settings, &|color, _, n| {
             color * (0.5 + 0.15 * n.x() + 0.3 * n.y() + 0.2 * n.z())
         })

@@ -32,7 +32,7 @@ impl HandedFile {
     }
 
     /// Its path on one line.
-    pub fn shown(&self) -> String {
+    pub fn path_text(&self) -> String {
         text::visible(&self.path.join("/"))
     }
 }

@@ -64,7 +64,7 @@ pub fn find(
         let list = SheetList::read(text);
         for name in &list.names {
             let named = sheet::find(all, name);
-            let named = named.map_err(|problem| format!("{}: {problem}", file.shown()))?;
+            let named = named.map_err(|problem| format!("{}: {problem}", file.path_text()))?;
             if named.name == sheet.name && !found.iter().any(|(other, _)| *other == folder) {
                 found.push((folder, list.command.clone()));
             }
@@ -91,13 +91,13 @@ fn without_program(
     }
     for file in files {
         if let Content::Problem(problem) = &file.content {
-            return Err(format!("{}: {problem}", file.shown()));
+            return Err(format!("{}: {problem}", file.path_text()));
         }
         let folder = file.folder();
         let is_around = |other: &&[String]| other.starts_with(folder) || folder.starts_with(other);
         if file.name() == MANIFEST && !programs.iter().any(is_around) {
             let problem = "beside it is no sheet.txt, which names the sheet";
-            return Err(format!("{}: {problem}", file.shown()));
+            return Err(format!("{}: {problem}", file.path_text()));
         }
     }
     Ok(None)
@@ -120,9 +120,13 @@ impl OwnProgram {
                 continue;
             };
             let bytes = match &file.content {
-                Content::Problem(problem) => return Err(format!("{}: {problem}", file.shown())),
+                Content::Problem(problem) => {
+                    return Err(format!("{}: {problem}", file.path_text()));
+                }
                 Content::LeftOut(why) => {
-                    program.left_out.push(format!("{}: {why}", file.shown()));
+                    program
+                        .left_out
+                        .push(format!("{}: {why}", file.path_text()));
                     continue;
                 }
                 Content::Text(text) => text.clone().into_bytes(),
@@ -130,7 +134,9 @@ impl OwnProgram {
             };
             if inner.iter().any(|part| CARGO_SETTINGS.contains(&&**part)) {
                 let why = "the grader's own settings of Cargo hold";
-                program.left_out.push(format!("{}: {why}", file.shown()));
+                program
+                    .left_out
+                    .push(format!("{}: {why}", file.path_text()));
                 continue;
             }
             program.files.insert(inner.join("/"), bytes);

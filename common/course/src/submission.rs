@@ -91,17 +91,19 @@ impl<'a> Submission<'a> {
             [] => self.without_file(),
             [file] => match &file.content {
                 Content::Text(text) => Found::File {
-                    path: file.shown(),
+                    path: file.path_text(),
                     text,
                 },
-                Content::Problem(problem) => Found::Unclear(format!("{}: {problem}", file.shown())),
+                Content::Problem(problem) => {
+                    Found::Unclear(format!("{}: {problem}", file.path_text()))
+                }
                 Content::Bytes(_) | Content::LeftOut(_) => {
-                    Found::Unclear(format!("{}: it is no text", file.shown()))
+                    Found::Unclear(format!("{}: it is no text", file.path_text()))
                 }
             },
             [_, _, ..] => {
                 let count = found.len();
-                let names = names(found.iter().map(|file| file.shown()));
+                let names = names(found.iter().map(|file| file.path_text()));
                 Found::Unclear(format!("there are {count} files: {names}; hand in one"))
             }
         }
@@ -120,10 +122,12 @@ impl<'a> Submission<'a> {
         for file in &self.files {
             match &file.content {
                 _ if is_exercise(file) => {}
-                Content::Problem(problem) => others.push(format!("{} ({problem})", file.shown())),
+                Content::Problem(problem) => {
+                    others.push(format!("{} ({problem})", file.path_text()))
+                }
                 _ if has_others && !may_be_rust(file.name()) => {}
                 _ if is_programs(file) => {}
-                _ => others.push(file.shown()),
+                _ => others.push(file.path_text()),
             }
         }
         if others.is_empty() && has_others {

@@ -20,10 +20,10 @@ mod allocation;
 mod check;
 mod expected_variance;
 mod known_light;
-mod picture;
 mod pilot;
 mod pixel;
 mod random;
+mod sampled_picture;
 mod sequence;
 
 use common::{Color, Error, Image, Progress, SamplingReport, Settings};
@@ -35,10 +35,10 @@ use allocation::{Allocation, Target};
 use check::{Checked, Estimate, check};
 use expected_variance::expected_variances;
 pub use known_light::KnownLight;
-use picture::Picture;
 use pilot::{Pilot, UNSEEN};
 use pixel::Pixel;
 pub use random::PixelRandom;
+use sampled_picture::SampledPicture;
 
 /// Light at positions in a picture, in the coordinates of the camera: whole numbers are the
 /// middles of pixels, and y counts upwards.
@@ -95,7 +95,7 @@ pub fn render_image(
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
     let mut image = Image::black(settings.size)?;
-    let mut picture = Picture::new(radiance, settings, progress)?;
+    let mut picture = SampledPicture::new(radiance, settings, progress)?;
     progress.done(0.0);
     let mut refinement = Refinement::new(&mut picture, known, settings.samples);
     refinement.until(max_error, &mut picture)?;
@@ -123,7 +123,7 @@ struct Refinement {
 
 impl Refinement {
     /// Takes the first pilot samples.
-    fn new(picture: &mut Picture, known: &KnownLight, max_samples: u32) -> Self {
+    fn new(picture: &mut SampledPicture, known: &KnownLight, max_samples: u32) -> Self {
         let max_radiance = known.max_radiance;
         let mut sampled = SamplingReport {
             pixels: picture.pixels().len() as u64,
@@ -151,7 +151,7 @@ impl Refinement {
 
     /// Takes samples until the error is at most `max_error`, or every pixel that could gain has as
     /// many as it may have.
-    fn until(&mut self, max_error: f64, picture: &mut Picture) -> Result<(), Error> {
+    fn until(&mut self, max_error: f64, picture: &mut SampledPicture) -> Result<(), Error> {
         let mut done = 0.0_f64;
         loop {
             let goals = self.goals(picture);
@@ -170,13 +170,13 @@ impl Refinement {
     }
 
     /// The brightest light that an object between all samples is assumed to have.
-    fn brightest(&self, picture: &Picture) -> f64 {
+    fn brightest(&self, picture: &SampledPicture) -> f64 {
         brightest_hidden(picture.brightest(), self.max_radiance)
     }
 
     /// The number of pairs that a pixel is to have after the next check, as a function of its
     /// index and itself: as many again if the target wants more, so that the check compares halves.
-    fn goals(&mut self, picture: &Picture) -> impl Fn(usize, &Pixel) -> u32 + Sync + use<> {
+    fn goals(&mut self, picture: &SampledPicture) -> impl Fn(usize, &Pixel) -> u32 + Sync + use<> {
         let (pixels, width) = (picture.pixels(), picture.width());
         let variances = expected_variances(pixels, width, &mut self.own_variances);
         let (min_pairs, max_pairs) = (self.pilot.pairs, self.pilot.max_pairs);
@@ -205,7 +205,7 @@ impl Refinement {
     /// The search by `p` pilot samples leaves the squared error `u`, which falls as `p^-2`;
     /// refinement by `r` samples leaves `e`, which falls as `r^-1.5` at edges. The last sample of
     /// each gains equally if `e = 4/3 u r/p`. The check estimates about twice the expected `e`.
-    fn refined_part(&self, picture: &Picture) -> f64 {
+    fn refined_part(&self, picture: &SampledPicture) -> f64 {
         let pilot = self.pilot_samples();
         let refined = (self.sampled.samples + picture.samples()) as f64 - pilot;
         let [least, largest] = REFINED;
@@ -241,7 +241,7 @@ impl Refinement {
     }
 
     /// The report, with the samples of all pixels.
-    fn sampled(mut self, picture: &Picture) -> SamplingReport {
+    fn sampled(mut self, picture: &SampledPicture) -> SamplingReport {
         let pairs = picture.pixels().par_iter().map(Pixel::pairs);
         self.sampled.samples += picture.samples();
         let most = 2 * pairs.max().unwrap_or(0) + u32::from(self.pilot.middles);

@@ -16,18 +16,18 @@ mod missing;
 #[cfg(not(target_family = "wasm"))]
 mod student;
 
-pub use self::exercise::{Exercise, Form, Picture};
+pub use self::exercise::{Exercise, Form, StudentPicture};
 pub use common::ArgumentError;
 pub use folder::StageFolder;
 #[cfg(target_family = "wasm")]
-pub use in_browser::judge;
+pub use in_browser::run;
 pub use judge::answers::{Answer, Input};
 pub use judge::{assert_close, input};
 pub use missing::missing;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use missing::{Missing, take_missing};
 #[cfg(not(target_family = "wasm"))]
-pub use student::judge;
+pub use student::run;
 
 /// A value, or the argument of its constructor that is wrong.
 pub type Made<T> = Result<T, ArgumentError>;
@@ -107,7 +107,7 @@ macro_rules! exercises {
             // A file may have none.
             fn examples() {}
             let folder = $crate::exercises::StageFolder::new(env!("CARGO_MANIFEST_DIR"), $stage);
-            $crate::exercises::judge(&folder, vec![$(
+            $crate::exercises::run(&folder, vec![$(
                 #[cfg(any($name, clippy))]
                 $crate::exercises::Entry {
                     name: stringify!($name),

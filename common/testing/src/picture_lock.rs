@@ -4,10 +4,10 @@
 //! bytes, and the expected PNG, which is a file of the book. [`lock_pictures!`](crate::lock_pictures) writes the tests;
 //! `INSTA_UPDATE=always` accepts a new picture, in both halves, if all renderers draw it.
 
+mod book_pictures;
 mod invariance;
 mod omission_table;
 mod program_run;
-mod shown;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -20,10 +20,10 @@ use common::difference::{compare_with_file, leave_pictures};
 
 use crate::FORMULAS;
 
+pub use book_pictures::{BookPicture, check_book_pictures};
 pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use omission_table::check_book;
 pub use program_run::check_program;
-pub use shown::{Shown, check_shown};
 
 /// The paths of a stage's tests.
 pub struct TestPaths {

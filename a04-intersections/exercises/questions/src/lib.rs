@@ -2,4 +2,4 @@
 
 pub mod boxes;
 pub mod shape;
-pub mod shown;
+pub mod shape_pictures;

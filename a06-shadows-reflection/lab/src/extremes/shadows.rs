@@ -14,7 +14,7 @@ use common::{ArgumentError, Color, Error};
 use corpus::{Question, Shape};
 use measure::extremes::{Both, Case, Outcome, Row, tried};
 
-use super::slope::{Expected, Slope};
+use super::tilted_floor::{Expected, TiltedFloor};
 use crate::protocol::{
     directional_light_illuminates, lambert, point_light_illuminates, spot_light_illuminates,
 };
@@ -114,50 +114,50 @@ type Counts = Result<Both<usize>, Error>;
 
 /// A lamp on a slanted ceiling: all points below it are lit.
 pub fn under_a_ceiling(points: usize) -> Counts {
-    let slope = Slope::new(1.0)?;
-    let lamp = slope.above(4.0);
+    let floor = TiltedFloor::new(1.0)?;
+    let lamp = floor.above(4.0);
     let ceiling = Plane::new(lamp, Normal3::new(0.1, 1.0, 0.3))?;
-    let world = slope.world()?.with(ceiling, ());
+    let world = floor.world()?.with(ceiling, ());
     let light = PointLight::new(Color::WHITE, lamp)?;
     let expected = Expected {
         world: &world,
         light: &light,
         is_lit: true,
     };
-    slope.misjudged(points, &expected, |point| {
+    floor.misjudged(points, &expected, |point| {
         point_light_illuminates(lamp, point, &world)
     })
 }
 
-/// A ball that touches a slope, in a scene of this size: all points below it are in its shadow.
+/// A ball that touches a tilted floor, in a scene of this size: all points below it are in its shadow.
 pub fn under_a_ball(points: usize, size: f64) -> Counts {
-    let slope = Slope::new(size)?;
-    let lamp = slope.above(5.0);
-    let ball = Sphere::new(slope.above(0.5), 0.5 * size)?;
-    let world = slope.world()?.with(ball, ());
+    let floor = TiltedFloor::new(size)?;
+    let lamp = floor.above(5.0);
+    let ball = Sphere::new(floor.above(0.5), 0.5 * size)?;
+    let world = floor.world()?.with(ball, ());
     let light = PointLight::new(Color::WHITE, lamp)?;
     let expected = Expected {
         world: &world,
         light: &light,
         is_lit: false,
     };
-    slope.misjudged(points, &expected, |point| {
+    floor.misjudged(points, &expected, |point| {
         point_light_illuminates(lamp, point, &world)
     })
 }
 
 /// An empty floor under a far light: all points are lit.
 pub fn under_the_sun(points: usize) -> Counts {
-    let slope = Slope::new(1.0)?;
+    let floor = TiltedFloor::new(1.0)?;
     let direction = Vector3::new(0.1, -1.0, -0.4).unit("direction")?;
-    let world = slope.world()?;
+    let world = floor.world()?;
     let light = DirectionalLight::new(Color::WHITE, direction)?;
     let expected = Expected {
         world: &world,
         light: &light,
         is_lit: true,
     };
-    slope.misjudged(points, &expected, |point| {
+    floor.misjudged(points, &expected, |point| {
         directional_light_illuminates(direction, point, &world)
     })
 }

@@ -2,9 +2,9 @@
 
 use std::ops::AddAssign;
 
-use super::picture::Picture;
 use super::pilot::Pilot;
 use super::pixel::Pixel;
+use super::sampled_picture::SampledPicture;
 
 /// An estimated sum of squared errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,7 +51,7 @@ pub struct Checked {
 /// the number of pairs that a pixel is to have, as a function of its index and itself; no object
 /// that no sample met is brighter than `brightest`.
 pub fn check(
-    picture: &mut Picture,
+    picture: &mut SampledPicture,
     pilot: &Pilot,
     brightest: f64,
     goal: impl Fn(usize, &Pixel) -> u32 + Sync,

@@ -80,7 +80,7 @@ impl Pixel {
     /// the squared error of the mean of all is `a (1 - a)` times the squared difference of both,
     /// on average. The samples here keep away from each other, so it is less.
     pub fn check(&mut self, new: &Self) {
-        let difference = self.shown() - new.shown();
+        let difference = self.clamped_mean() - new.clamped_mean();
         let a = f64::from(self.pairs) / f64::from(self.pairs + new.pairs);
         let factor = if a > 0.0 { a * (1.0 - a) } else { 1.0 };
         self.merge(new);
@@ -117,7 +117,7 @@ impl Pixel {
     }
 
     /// The mean as a screen shows it, from 0 to 1.
-    pub fn shown(&self) -> Color {
+    pub fn clamped_mean(&self) -> Color {
         self.mean().map(|channel| channel.clamp(0.0, 1.0))
     }
 
@@ -147,7 +147,7 @@ mod tests {
             all.merge(&Pixel::of_pair(pair));
         }
         assert_eq!(all.mean(), Color::new(1.5, 0.0, 2.0));
-        assert_eq!(all.shown(), Color::new(1.0, 0.0, 1.0));
+        assert_eq!(all.clamped_mean(), Color::new(1.0, 0.0, 1.0));
         assert_eq!(all.pairs(), 4);
         assert!((all.variance().unwrap() - 1.0).abs() < 1e-6);
     }

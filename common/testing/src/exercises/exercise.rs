@@ -18,7 +18,7 @@ pub struct Exercise<C> {
     /// The forms of the questions that the exercise's file asks.
     pub forms: Vec<Form<C>>,
     /// The picture that the code paints.
-    pub picture: Picture<C>,
+    pub picture: StudentPicture<C>,
 }
 
 /// An exercise without questions.
@@ -27,7 +27,7 @@ impl<C> Default for Exercise<C> {
         Self {
             questions: Vec::new(),
             forms: Vec::new(),
-            picture: Picture::None,
+            picture: StudentPicture::None,
         }
     }
 }
@@ -51,11 +51,13 @@ impl<C: 'static> Exercise<C> {
             questions: self.questions,
             forms: forms.map(|form| form.with_code(&code)).collect(),
             picture: match self.picture {
-                Picture::None => Picture::None,
-                Picture::Scene(name, render) => {
-                    Picture::scene(name, move |(), settings| render(&code, settings))
+                StudentPicture::None => StudentPicture::None,
+                StudentPicture::Scene(name, render) => {
+                    StudentPicture::scene(name, move |(), settings| render(&code, settings))
                 }
-                Picture::Own(render) => Picture::own(move |(), settings| render(&code, settings)),
+                StudentPicture::Own(render) => {
+                    StudentPicture::own(move |(), settings| render(&code, settings))
+                }
             },
         }
     }
@@ -78,7 +80,7 @@ impl Exercise<()> {
 }
 
 /// The picture that a student's code paints.
-pub enum Picture<C> {
+pub enum StudentPicture<C> {
     /// None.
     None,
     /// A scene of the stage, which is compared with its locked picture.
@@ -95,7 +97,7 @@ pub(super) fn own_settings() -> Result<Settings, Error> {
     })
 }
 
-impl<C> Picture<C> {
+impl<C> StudentPicture<C> {
     /// The scene of the stage of this name, with the code in it.
     pub fn scene(
         name: &'static str,

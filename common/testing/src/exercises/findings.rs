@@ -10,7 +10,7 @@ use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
 use judge::answers::{Answer, Painted, Record, RightAnswer, StudentAnswer, Verdict, verdict};
 
-use super::exercise::{AnswerTo, Exercise, Picture, own_settings};
+use super::exercise::{AnswerTo, Exercise, StudentPicture, own_settings};
 use super::folder::StageFolder;
 use super::hang::note;
 use super::{Missing, take_missing};
@@ -99,11 +99,11 @@ impl Exercise<()> {
         note("the picture");
         let paint = || match &self.picture {
             // Unfinished code has none of a scene.
-            Picture::Scene(name, render) if missing.is_empty() => {
+            StudentPicture::Scene(name, render) if missing.is_empty() => {
                 let render = |settings: &Settings| render(&(), settings);
                 compare_scene(folder, name, reader, &render, &mut image).map(Some)
             }
-            Picture::Own(render) => {
+            StudentPicture::Own(render) => {
                 image = Some(render(&(), &own_settings()?)?);
                 Ok(None)
             }

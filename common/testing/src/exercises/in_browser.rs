@@ -7,7 +7,7 @@ use common::{Error, Image};
 use page::{Answer, pixels, settings};
 
 use super::Entry;
-use super::exercise::{Exercise, Picture, own_settings};
+use super::exercise::{Exercise, StudentPicture, own_settings};
 use super::folder::StageFolder;
 
 /// Paints the picture of this name, with the settings as numbers; none if it is another one than
@@ -32,7 +32,7 @@ thread_local! {
 
 /// Keeps the exercises for the page.
 #[must_use]
-pub fn judge(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
+pub fn run(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
     for entry in entries {
         keep(*folder, entry.name, (entry.exercise)());
     }
@@ -52,7 +52,7 @@ fn keep(folder: StageFolder, name: &'static str, exercise: Exercise<()>) {
             .collect()
     };
     let paint = move |wanted: &str, numbers: &[f64]| match &picture {
-        Picture::Scene(scene, render) => {
+        StudentPicture::Scene(scene, render) => {
             let stage = folder.stage();
             if wanted != format!("{}-{scene}", stage.name) {
                 return Ok(None);
@@ -60,7 +60,7 @@ fn keep(folder: StageFolder, name: &'static str, exercise: Exercise<()>) {
             let settings = settings(&stage.scene(scene)?.defaults, numbers)?;
             render(&(), &settings).map(Some)
         }
-        Picture::Own(render) if wanted.contains("-exercise-") => {
+        StudentPicture::Own(render) if wanted.contains("-exercise-") => {
             render(&(), &own_settings()?).map(Some)
         }
         _ => Ok(None),

@@ -1,4 +1,4 @@
-//! `judge`: shows students the faults of their code.
+//! Shows students the faults of their code.
 
 use std::collections::BTreeSet;
 use std::env;
@@ -9,19 +9,19 @@ use std::sync::Mutex;
 use judge::answers::{BEGUN, MARK, Mode, Record, SECONDS, WORDS_MARK, print_answers};
 
 use super::corpus::ask_corpus;
-use super::exercise::{Exercise, Picture};
+use super::exercise::{Exercise, StudentPicture};
 use super::findings::Reader;
 use super::folder::StageFolder;
 use super::hang::name_hang;
 use super::{Entry, Missing, take_missing};
 
-/// Judges the student's file of the exercise that the argument names.
+/// Asks the student's file of the exercise that the argument names.
 #[must_use]
-pub fn judge(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
+pub fn run(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
     let name = env::args().nth(1).unwrap_or_default();
     let entry = entries.into_iter().find(|entry| entry.name == name);
     if let Some(entry) = entry {
-        return judge_entry(folder, &entry);
+        return ask_student(folder, &entry);
     }
     say(&format!(
         "this program has no exercise {name:?}: `cargo learn` builds it for one, and `cargo course prove` for all"
@@ -31,7 +31,7 @@ pub fn judge(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
 
 /// Runs the examples of a student's file, asks its code, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with [`BEGUN`] if parts are still missing.
-fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
+fn ask_student(folder: &StageFolder, entry: &Entry) -> ExitCode {
     let name = entry.name;
     let mut exercise = (entry.exercise)();
     // A starter's examples fail, and nothing is wrong yet.
@@ -114,7 +114,7 @@ fn judge_entry(folder: &StageFolder, entry: &Entry) -> ExitCode {
 /// Where the author records, saves the picture of a scene with few samples, with which checks compare.
 fn record_picture(folder: &StageFolder, exercise: &Exercise<()>) {
     let records = env::var("INSTA_UPDATE").is_ok_and(|update| update == "always");
-    let Picture::Scene(scene, _) = &exercise.picture else {
+    let StudentPicture::Scene(scene, _) = &exercise.picture else {
         return;
     };
     if records && let Err(error) = folder.record_picture(scene) {

@@ -1,4 +1,4 @@
-//! `Slope`: a tilted floor, at whose points a light arrives or does not.
+//! `TiltedFloor`: a tilted floor, at whose points a light arrives or does not.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -11,20 +11,20 @@ use measure::extremes::{Both, count_wrong};
 use a06_shadows_reflection::is_shadowed;
 
 /// A tilted floor through the origin, in a scene of this size.
-pub struct Slope {
+pub struct TiltedFloor {
     floor: Plane,
     normal: Vector3,
     size: f64,
 }
 
-/// What is right for all points of a slope.
+/// What is right for all points of a tilted floor.
 pub struct Expected<'a> {
     pub world: &'a World<()>,
     pub light: &'a dyn Light,
     pub is_lit: bool,
 }
 
-impl Slope {
+impl TiltedFloor {
     pub fn new(size: f64) -> Result<Self, Error> {
         let normal = Vector3::new(0.3, 1.0, 0.2).unit("normal")?;
         let floor = Plane::new(Point3::ORIGIN, normal.as_normal())?;
@@ -46,7 +46,7 @@ impl Slope {
     }
 
     /// Of some points around the origin, computed as hits of rays, so that they lie a little
-    /// above the slope or below, the number that is not lit as it should be: by our shadow
+    /// above the floor or below, the number that is not lit as it should be: by our shadow
     /// rays, and by the protocol's.
     pub fn misjudged(
         &self,

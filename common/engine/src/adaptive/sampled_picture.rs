@@ -1,4 +1,4 @@
-//! `Picture`: the samples of all pixels, and how more are taken.
+//! `SampledPicture`: the samples of all pixels, and how more are taken.
 
 use std::mem;
 use std::ops::Range;
@@ -19,7 +19,7 @@ use crate::sampler::image_position;
 const BATCH_PAIRS: usize = 32;
 
 /// The pixels of a picture, and where their light comes from.
-pub struct Picture<'a> {
+pub struct SampledPicture<'a> {
     radiance: &'a dyn Radiance,
     settings: &'a Settings,
     pub progress: &'a dyn Progress,
@@ -28,7 +28,7 @@ pub struct Picture<'a> {
     brightest: AtomicU32,
 }
 
-impl<'a> Picture<'a> {
+impl<'a> SampledPicture<'a> {
     /// A picture without samples.
     pub fn new(
         radiance: &'a dyn Radiance,

@@ -50,13 +50,13 @@ pub struct Lit<P> {
 
 impl<P: Clone + Sync + 'static> Lit<P> {
     /// The picture of the scene with this name, which is compared.
-    pub fn scene(self, name: &'static str) -> Picture<LightAt<P>> {
-        Picture::scene(name, move |light, settings| self.rendered(light, settings))
+    pub fn scene(self, name: &'static str) -> StudentPicture<LightAt<P>> {
+        StudentPicture::scene(name, move |light, settings| self.rendered(light, settings))
     }
 
     /// A picture of the scene in another light, to be looked at.
-    pub fn own(self) -> Picture<LightAt<P>> {
-        Picture::own(move |light, settings| self.rendered(light, settings))
+    pub fn own(self) -> StudentPicture<LightAt<P>> {
+        StudentPicture::own(move |light, settings| self.rendered(light, settings))
     }
 
     fn rendered(&self, light_at: &LightAt<P>, settings: &Settings) -> Result<Image, Error> {

@@ -8,7 +8,7 @@ use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{PerspectiveCamera, Ray, TracedWorld, View, paint};
 use a04_intersections::{Interval, World};
 use common::{Color, Error, Image, Settings};
-use testing::exercises::{Made, Picture};
+use testing::exercises::{Made, StudentPicture};
 
 use crate::shape::{NewShape, Shape};
 
@@ -17,8 +17,8 @@ pub fn scene<P: Clone + 'static>(
     name: &'static str,
     view: fn() -> Made<View<World<Color>>>,
     parameters: P,
-) -> Picture<NewShape<P>> {
-    Picture::scene(name, move |new: &NewShape<P>, settings| {
+) -> StudentPicture<NewShape<P>> {
+    StudentPicture::scene(name, move |new: &NewShape<P>, settings| {
         let View { camera, world } = view()?;
         let color = world.objects().map(|(_, color)| *color).next();
         let black = World::new(world.background())?;
@@ -74,8 +74,8 @@ impl Eye {
 }
 
 /// Shows the student's shape of these parameters.
-pub fn shown<P: Clone + 'static>(parameters: P, eye: Eye) -> Picture<NewShape<P>> {
-    Picture::own(move |new: &NewShape<P>, settings| {
+pub fn shape_picture<P: Clone + 'static>(parameters: P, eye: Eye) -> StudentPicture<NewShape<P>> {
+    StudentPicture::own(move |new: &NewShape<P>, settings| {
         eye.show_shapes([new(parameters.clone())?], settings)
     })
 }

@@ -12,7 +12,7 @@ use super::{TestPaths, accepts, put_aside, render};
 const MAX_PIXELS: usize = 320 * 240;
 
 /// A picture of the book.
-pub struct Shown {
+pub struct BookPicture {
     /// The name of its file.
     pub name: String,
     /// What it shows.
@@ -22,10 +22,10 @@ pub struct Shown {
 /// Draws each scene by the engine, in the size of its picture in the book, and compares all pixels. A failure names all
 /// pictures that are stale; `INSTA_UPDATE=always` replaces them, and draws those that are missing, if all renderers
 /// draw small pictures of these scenes alike. Large pictures are compared in an optimised build only.
-pub fn check_shown(all: &[Shown], places: &TestPaths) {
+pub fn check_book_pictures(all: &[BookPicture], places: &TestPaths) {
     let mut stale = Vec::new();
-    for shown in all {
-        let expected = places.expected(&shown.name);
+    for picture in all {
+        let expected = places.expected(&picture.name);
         let small = Size::new(320, 240).expect("a size");
         let size = picture_file::open(&expected).map_or(small, |image| image.size());
         if cfg!(debug_assertions) && !accepts() && size.pixels() > MAX_PIXELS {
@@ -34,16 +34,16 @@ pub fn check_shown(all: &[Shown], places: &TestPaths) {
         let settings = Settings {
             size,
             renderer: Renderer::Engine,
-            ..shown.scene.defaults.clone()
+            ..picture.scene.defaults.clone()
         };
-        let drawn = render(&shown.scene, &settings);
+        let drawn = render(&picture.scene, &settings);
         let drawn = put_aside(&drawn, settings.transfer, &expected, places);
         let image = picture_file::open(&drawn).expect("the picture");
         if let Err(difference) = compare_with_file(&expected, &image) {
-            let difference = format!("{}: {difference}", shown.name);
+            let difference = format!("{}: {difference}", picture.name);
             let scratch = Path::new(places.scratch);
             let message = leave_pictures(scratch, &expected, &image, &difference);
-            stale.push((&shown.scene, message, [drawn, expected]));
+            stale.push((&picture.scene, message, [drawn, expected]));
         }
     }
     if !accepts() {
