@@ -6,7 +6,7 @@
     live.figure('hemisphere', {
         below: 'hemisphere.svg',
         title: 'Which directions are worth a ray?',
-        hint: 'Above: the hemisphere over a white floor, seen from straight above, with as many random directions twice; full dots bring light. Below: the noise, the root mean square error of 1,000 pixels, for 1 to 256 directions, on logarithmic axes. Dots are measured, lines are the closed form.',
+        hint: 'Left: the hemisphere over a white floor, seen from straight above, with as many random directions twice; full dots bring light. Right: the noise, the root mean square error of 1,000 pixels, for 1 to 256 directions, on logarithmic axes. Dots are measured, lines are the closed form.',
         question: {
             text: 'Under a sky that is 1 everywhere, how large is the noise of directions by the cosine, compared with that of even ones?',
             choices: ['the same', 'half', 'none'],
@@ -37,7 +37,7 @@
             pen.line(log(1, least), log(256, least), 'ink');
             pen.line(log(1, least), log(1, 1), 'ink');
             pen.text([4.95, -0.45], '1');
-            pen.text([6.78, -0.45], '256', '', 'middle');
+            pen.text([6.95, -0.45], '256', '', 'end');
             pen.text([5.02, -0.25], '0.01', '', 'end');
             pen.text([5.02, 1.75], '1', '', 'end');
             pen.text([5.1, 1.9], 'noise');
