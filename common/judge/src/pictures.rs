@@ -4,6 +4,7 @@
 //! that they are asked, each with its formula, value and tolerance. This module reads the sheets, asks the facts
 //! and says what is wrong.
 
+mod autocorrelation;
 mod fact;
 mod fitted_slope;
 mod judgement;
@@ -24,4 +25,6 @@ pub use run::Run;
 pub use sheet::{RequestedPicture, Sheet};
 
 /// The names of the sheets, in the order in which they are set.
-pub const NAMES: [&str; 6] = ["lens", "patterns", "tree", "glass", "lamp", "light"];
+pub const NAMES: [&str; 7] = [
+    "lens", "cores", "patterns", "tree", "glass", "lamp", "light",
+];

@@ -60,7 +60,7 @@ const SCENES: [&str; 10] = [
 ];
 
 /// Keys of a fact, and its value.
-const FACTS: [(&str, f64); 20] = [
+const FACTS: [(&str, f64); 24] = [
     // Rows are equal, but for a diagonal: in 5 x 5 pixels at it, 4 of 20 pairs.
     (
         "scene = \"ramp\"\nmeasure = \"alike\"\nregion = [10, 0, 11, 20]",
@@ -69,6 +69,26 @@ const FACTS: [(&str, f64); 20] = [
     (
         "scene = \"diagonal\"\nmeasure = \"alike\"\nregion = [10, 10, 5, 5]",
         16.0 / 20.0,
+    ),
+    // White, white, black, black: two of three neighbours are alike.
+    (
+        "scene = \"diagonal\"\nmeasure = \"autocorrelation\"\nregion = [8, 10, 4, 1]",
+        1.0 / 3.0,
+    ),
+    // Of 40, 44 and 48 only the pixels below are alike.
+    (
+        "scene = \"ramp\"\nmeasure = \"autocorrelation\"\nregion = [10, 0, 3, 5]",
+        1.0,
+    ),
+    // The deviations are -1, -1 and 3, -1: only from the upper right to the lower left they are opposite.
+    (
+        "scene = \"diagonal\"\nmeasure = \"autocorrelation\"\nregion = [10, 10, 2, 2]",
+        1.0,
+    ),
+    // Black are both upper pixels, which count twice, and one below.
+    (
+        "scene = \"diagonal\"\nmeasure = \"load\"\nregion = [10, 10, 2, 2]",
+        5.0 / 6.0,
     ),
     (
         "scene = \"ramp\"\nmeasure = \"mean\"\nregion = [10, 0, 11, 20]",

@@ -225,6 +225,11 @@ impl Judgement<'_> {
             Quantity::Greatest(region) => of_fact.greatest(*region),
             Quantity::Least(region) => of_fact.least(*region),
             Quantity::Alike(region) => of_fact.alike(*region),
+            Quantity::Autocorrelation(region) => {
+                let found = of_fact.autocorrelation(*region);
+                found.ok_or("there is no noise: all pixels have the same value")?
+            }
+            Quantity::Load(region) => of_fact.load(*region),
             Quantity::Edge(line) => line.edge(&of_fact)?,
             Quantity::Width(line) => line.width(&of_fact)?,
             Quantity::Spread { region, exact } => spread(&fact.run, *region, exact)?,

@@ -13,6 +13,10 @@ pub enum Quantity {
     Least(Region),
     /// The share of pixels that have the value of the pixel below.
     Alike(Region),
+    /// The greatest correlation between pixels and others at the same distance from each.
+    Autocorrelation(Region),
+    /// The greatest share of one value, where a pixel weighs as much as its row, counted from below.
+    Load(Region),
     /// The place of an edge on a line, in pixels from its beginning.
     Edge(Line),
     /// Pixels between 10 % and 90 % of an edge on a line.
@@ -39,9 +43,17 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Whether a picture of one colour can have no such value: it has no edge, and its error does not fall.
+    /// Whether a picture of one colour can have no such value: it has no edge and no noise, its error does not fall,
+    /// and one thread has drawn all of it.
     pub const fn needs_two_colors(&self) -> bool {
-        matches!(self, Self::Edge(_) | Self::Width(_) | Self::Slope { .. })
+        matches!(
+            self,
+            Self::Autocorrelation(_)
+                | Self::Load(_)
+                | Self::Edge(_)
+                | Self::Width(_)
+                | Self::Slope { .. }
+        )
     }
 
     /// The region that is measured; none of a line and of whole pictures.
@@ -51,6 +63,8 @@ impl Quantity {
             | Self::Greatest(region)
             | Self::Least(region)
             | Self::Alike(region)
+            | Self::Autocorrelation(region)
+            | Self::Load(region)
             | Self::Spread { region, .. }
             | Self::Growth { region, .. }
             | Self::Slope { region, .. } => Some(*region),

@@ -145,6 +145,11 @@ impl Fact {
             Quantity::Greatest(region) => of("greatest value", region),
             Quantity::Least(region) => of("least value", region),
             Quantity::Alike(region) => of("share of pixels like the pixel below", region),
+            Quantity::Autocorrelation(region) => of("greatest autocorrelation", region),
+            Quantity::Load(region) => of(
+                "greatest share of the work, which is the row from below,",
+                region,
+            ),
             Quantity::Edge(line) => on("pixels from the beginning to the edge", line),
             Quantity::Width(line) => on("pixels between 10 % and 90 % of the step", line),
             Quantity::Spread { region, exact } => of(&error(exact), region),

@@ -1,6 +1,8 @@
 //! `Values`: the values of a picture in a channel, and what they are in a region. They are linear, from 0 to 1, as the
 //! picture's bytes have them.
 
+use std::collections::BTreeMap;
+
 use common::{Color, Image, Size};
 
 /// One of the three channels.
@@ -28,7 +30,7 @@ impl Region {
         fits(self.x, self.width, size.width()) && fits(self.y, self.height, size.height())
     }
 
-    fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
+    pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
         let columns = self.x..self.x + self.width;
         let rows = self.y..self.y + self.height;
         rows.flat_map(move |y| columns.clone().map(move |x| (x, y)))
@@ -95,6 +97,18 @@ impl Values<'_> {
             }
         }
         alike / count
+    }
+
+    /// The greatest share of one value, where a pixel of the last row costs 1, and one of each row above 1 more.
+    pub fn load(&self, region: Region) -> f64 {
+        let mut work = BTreeMap::new();
+        let mut all = 0.0;
+        for (x, y) in region.pixels() {
+            let cost = f64::from(region.y + region.height - y);
+            *work.entry(self.at((x, y)).to_bits()).or_insert(0.0) += cost;
+            all += cost;
+        }
+        work.into_values().fold(0.0, f64::max) / all
     }
 
     /// The root mean square difference from exact values.

@@ -18,6 +18,8 @@ enum Kind {
     Greatest,
     Least,
     Alike,
+    Autocorrelation,
+    Load,
     Edge,
     Width,
     Spread,
@@ -27,11 +29,13 @@ enum Kind {
 }
 
 /// The words for it in a sheet.
-const KINDS: [(&str, Kind); 10] = [
+const KINDS: [(&str, Kind); 12] = [
     ("mean", Kind::Mean),
     ("greatest", Kind::Greatest),
     ("least", Kind::Least),
     ("alike", Kind::Alike),
+    ("autocorrelation", Kind::Autocorrelation),
+    ("load", Kind::Load),
     ("edge", Kind::Edge),
     ("width", Kind::Width),
     ("spread", Kind::Spread),
@@ -155,6 +159,8 @@ fn quantity(row: &Row, kind: Kind, sheet: &Sheet, size: Size) -> Result<Quantity
             }
             Quantity::Alike(region)
         }
+        Kind::Autocorrelation => Quantity::Autocorrelation(region(row, size)?),
+        Kind::Load => Quantity::Load(region(row, size)?),
         Kind::Edge => Quantity::Edge(line(row, size)?),
         Kind::Width => Quantity::Width(line(row, size)?),
         Kind::Spread => {
