@@ -146,8 +146,9 @@ fn open(title: &str, picture: Size) -> Result<Window, NotShown> {
     #[cfg(all(unix, not(target_os = "macos")))]
     let display = x_display::check()?;
     #[cfg(not(all(unix, not(target_os = "macos"))))]
-    let display: Option<((), _)> = None;
-    let (width, height) = screen::window_size(picture, display.as_ref().map(|(_, screen)| *screen));
+    let display: Option<((), [u16; 2])> = None;
+    let screen = display.as_ref().map_or([0; 2], |(_, sides)| *sides);
+    let (width, height) = screen::window_size(picture, screen);
     let mut window = Window::new(title, width, height, options).map_err(no_window)?;
     // On a Mac, a click before the first update would end the program.
     window.update();

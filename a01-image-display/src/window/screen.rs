@@ -55,24 +55,21 @@ pub struct Screen {
 }
 
 /// The size in which the window opens: that of the picture, enlarged by a whole factor if that is small on the
-/// screen, or shrunk to less than it, with room for menu and text. Where the size of the screen is unknown, the window
-/// fits nearly every one.
-pub fn window_size(picture: Size, screen: Option<[u16; 2]>) -> (usize, usize) {
+/// screen, or shrunk to less than it, with room for menu and text. A screen of 0 is unknown: then the window fits
+/// nearly every one.
+pub fn window_size(picture: Size, screen: [u16; 2]) -> (usize, usize) {
     let [width, height] = [picture.width(), picture.height()].map(f64::from);
-    let [most, enlarged] = match screen.map(|sides| sides.map(f64::from)) {
-        // Several screens beside or above each other may be told as one.
-        Some([wide, high]) => {
-            let high = high.min(0.6 * wide);
-            [[1.6 * high, 0.7 * high], [0.8 * high, 0.5 * high]]
-        }
-        None => [[1280.0, 600.0], [480.0, 240.0]],
-    };
-    let most = (most[0] / width).min(most[1] / height);
-    let enlarged = (enlarged[0] / width).min(enlarged[1] / height).floor();
+    let [wide, high] = screen.map(f64::from);
+    // Several screens beside or above each other may be told as one.
+    let high = high.min(0.6 * wide);
+    let room = 0.92 * high - f64::from(bars(dot((1.6 * high) as i32)));
+    let most = ((1.6 * high).max(1280.0) / width).min(room.max(600.0) / height);
+    let enlarged = (0.8 * high).max(480.0) / width;
+    let enlarged = enlarged.min((0.5 * high).max(240.0) / height).floor();
     let scale = most.min(enlarged.max(1.0));
     let width = (width * scale).max(480.0) as i32;
-    let bars = menu_height(dot(width)) + text_height(dot(width), LINES);
-    (width as usize, (height * scale) as usize + bars as usize)
+    let bars = bars(dot(width)) as usize;
+    (width as usize, (height * scale) as usize + bars)
 }
 
 /// The width of a dot of the letters, in a window of this width.
@@ -82,6 +79,11 @@ const fn dot(width: i32) -> i32 {
 
 const fn menu_height(dot: i32) -> i32 {
     30 * dot
+}
+
+/// The height of menu and text.
+const fn bars(dot: i32) -> i32 {
+    menu_height(dot) + text_height(dot, LINES)
 }
 
 const fn text_height(dot: i32, lines: usize) -> i32 {
@@ -280,8 +282,8 @@ mod tests {
     #[test]
     fn the_window_has_room_for_the_picture_and_no_more_than_a_screen() {
         let on = |width, height, screen| window_size(Size::new(width, height).unwrap(), screen);
-        let size = |width, height| on(width, height, None);
-        let bars = 30 + text_height(1, LINES) as usize;
+        let size = |width, height| on(width, height, [0; 2]);
+        let bars = bars(1) as usize;
         assert_eq!(size(640, 480), (640, 480 + bars));
         assert_eq!(size(64, 48), (480, 240 + bars));
         let (width, height) = size(8192, 8192);
@@ -291,19 +293,19 @@ mod tests {
             (1366, 768, false),
             (1920, 1080, false),
             (3840, 2160, true),
-            (1200, 1920, false),
+            (1440, 2560, false),
             (3840, 1080, false),
             (1920, 2160, false),
         ] {
-            let screen = Some([wide, high]);
+            let screen = [wide, high];
             let (width, height) = on(640, 480, screen);
             let factor = 1 + usize::from(is_enlarged);
             assert_eq!(width, 640 * factor, "{wide}x{high}");
             assert!(height > 480 * factor);
             for (width, height) in [(8192, 8192), (8192, 4608), (64, 48)] {
                 let (width, height) = on(width, height, screen);
-                let most = usize::from(high.min(wide / 5 * 3));
-                assert!(width <= 2 * most && height <= most, "{width}x{height}");
+                let [wide, high] = [wide, high.min(wide / 5 * 3)].map(usize::from);
+                assert!(width <= wide && height <= high, "{width}x{height}");
             }
         }
     }
