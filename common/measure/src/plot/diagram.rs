@@ -181,12 +181,20 @@ impl Drawing {
         let class = color(mark.curve);
         let Interval { low, high } = mark.x_ends;
         if mark.x > 0.0 && 0.0 < low && low < high {
-            let ends = [low, high].map(|end| self.at(end, mark.y));
+            let right = self.right;
+            let ends = [low, high].map(|end| {
+                let [x, y] = self.at(end, mark.y);
+                [x.clamp(LEFT, right), y]
+            });
             self.svg.line(&class, &ends);
         }
         let Interval { low, high } = mark.y_ends;
-        if mark.y > 0.0 && self.y.holds(low) && self.y.holds(high) {
-            let ends = [low, high].map(|end| self.at(mark.x, end));
+        if mark.y > 0.0 && 0.0 < low && low < high {
+            let bottom = self.bottom;
+            let ends = [low, high].map(|end| {
+                let [x, y] = self.at(mark.x, end);
+                [x, y.clamp(TOP, bottom)]
+            });
             self.svg.line(&class, &ends);
         }
         self.svg.mark(mark.curve, self.at(mark.x, mark.y));
