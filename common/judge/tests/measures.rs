@@ -230,6 +230,11 @@ fn a_sheet_that_lacks_something_is_named() {
         ),
         (
             "hours = 1",
+            "hours = 1\ntimed = \"b\"",
+            "glass.toml: `timed` names no scene of a picture",
+        ),
+        (
+            "hours = 1",
             "hours = \"1\"",
             "glass.toml: `hours` must be a whole number from 0",
         ),

@@ -17,6 +17,7 @@ title = "Edges"
 page = "sheet-glass.md"
 stage = "a01"
 hours = 1
+timed = "noise"
 
 [[picture]]
 scene = "edge"
@@ -170,6 +171,10 @@ fn each_program_gets_a_sentence() {
         "         4 ",
         "slope -0.5",
         "theory: -0.5",
+        "noise, the median of 6 runs in turns",
+        "      4      0.",
+        "   1.00 (1.00 to 1.00)",
+        "This computer has ",
         "glass: 2 of 2 facts hold; the pictures are in out/sheets/glass",
     ] {
         assert!(printed.contains(words), "{words}: {printed}");

@@ -24,6 +24,8 @@ pub struct Sheet {
     pub hours: u32,
     /// Exercises whose functions move into the student's program, once they are done.
     pub steps: Vec<String>,
+    /// A scene whose samples are threads, and whose speed-up is measured.
+    pub timed: Option<String>,
     /// The pictures that the student's program draws.
     pub pictures: Vec<RequestedPicture>,
     /// The facts, in the order in which they are asked.
@@ -59,6 +61,7 @@ impl Sheet {
             stage: row.get("stage")?,
             hours: row.get("hours")?,
             steps: row.find("steps")?.unwrap_or_default(),
+            timed: row.find("timed")?,
             pictures: Vec::new(),
             facts: Vec::new(),
         };
@@ -68,6 +71,10 @@ impl Sheet {
                 return Err(row.error("scene", "is that of an earlier picture"));
             }
             sheet.pictures.push(picture);
+        }
+        let unknown = |scene: &&String| sheet.picture(scene).is_none();
+        if sheet.timed.as_ref().filter(unknown).is_some() {
+            return Err(row.error("timed", "names no scene of a picture"));
         }
         for row in row.rows("fact")? {
             let fact = Fact::read(&row, &sheet)?;
