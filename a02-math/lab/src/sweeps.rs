@@ -1,7 +1,7 @@
 //! Problems of this stage from harmless to extreme.
 
 use a02_math::Vector3;
-use measure::extremes::Both;
+use measure::extremes::AgainstProtocol;
 use measure::sweep::{Exercise, Point, Sweep, arc_tangent};
 
 use crate::protocol;
@@ -34,9 +34,9 @@ pub const ANGLE: Sweep = Sweep {
 };
 
 /// The angle to (1, 0, 0), by the lesson and by the protocol.
-fn angles(v: Vector3) -> Both<f64> {
+fn angles(v: Vector3) -> AgainstProtocol<f64> {
     let axis = Vector3::new(1.0, 0.0, 0.0);
-    Both {
+    AgainstProtocol {
         ours: axis.angle(v),
         theirs: protocol::angle_by_arc_cosine(axis, v),
     }

@@ -12,7 +12,7 @@ pub use tangent::TANGENT;
 
 use a03_rays_cameras::Ray;
 use measure::exact::DoubleDouble;
-use measure::extremes::Both;
+use measure::extremes::AgainstProtocol;
 use measure::sweep::{Exercise, Point};
 
 use crate::compared_shape::{ComparedShape, SPHERE};
@@ -26,8 +26,12 @@ const fn exercise(name: &'static str) -> Exercise {
 }
 
 /// The `t` of the first hit of a ray, by the lesson and by the protocol.
-fn both(compared: &ComparedShape, shape: &[f64], ray: &Ray) -> Both<Option<f64>> {
-    Both {
+fn against_protocol(
+    compared: &ComparedShape,
+    shape: &[f64],
+    ray: &Ray,
+) -> AgainstProtocol<Option<f64>> {
+    AgainstProtocol {
         ours: compared.lesson(shape, ray),
         theirs: (compared.protocol)(shape, ray),
     }
@@ -38,7 +42,7 @@ const UNIT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
 /// The first hit of a line whose direction has the length 1.
 fn hit_of_unit(line: Line) -> Point {
-    let found = both(&SPHERE, &UNIT, &line.raw_ray());
+    let found = against_protocol(&SPHERE, &UNIT, &line.raw_ray());
     ahead(Point::of(
         &[&UNIT[..], &line.origin, &line.direction].concat(),
         near_root,

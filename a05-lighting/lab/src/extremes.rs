@@ -7,7 +7,7 @@ mod spots;
 
 use a02_math::arrays::vector;
 use measure::Effort;
-use measure::extremes::{Both, Case, Row, rows};
+use measure::extremes::{AgainstProtocol, Case, Row, rows};
 
 use crate::protocol;
 use crate::sweeps::edge;
@@ -25,7 +25,7 @@ fn computed(row: &Row) -> Case {
             Case::of(a.angle(b), protocol::angle(a, b))
         }
         "radius of light" => {
-            let Both { ours, theirs } = edge(row.number(0));
+            let AgainstProtocol { ours, theirs } = edge(row.number(0));
             Case::of(ours, theirs)
         }
         "highlight" => materials::power(row.number(0), row.number(1)),

@@ -2,7 +2,7 @@
 
 use a02_math::{Point3, Vector3};
 use common::Color;
-use measure::extremes::Both;
+use measure::extremes::AgainstProtocol;
 use measure::sweep::{Point, Sweep, tangent};
 
 use crate::protocol;
@@ -12,18 +12,18 @@ use a05_lighting::{Light, SpotLight};
 const AXIS: Vector3 = Vector3::new(0.0, 0.0, -1.0);
 
 /// Whether the light of a cone falls on a place of a wall at the distance 1.
-fn is_lit(half_angle: f64, x: f64, y: f64) -> Both<Option<bool>> {
+fn is_lit(half_angle: f64, x: f64, y: f64) -> AgainstProtocol<Option<bool>> {
     let place = Point3::new(x, y, -1.0);
     let spot = SpotLight::new(Color::WHITE, Point3::ORIGIN, AXIS, half_angle);
     let theirs = protocol::spot_light_illuminates(Point3::ORIGIN, AXIS, half_angle, place);
-    Both {
+    AgainstProtocol {
         ours: spot.ok().map(|spot| spot.illuminates(place)),
         theirs: Some(theirs),
     }
 }
 
 /// The greatest x that is lit, by halving an interval until its ends are neighbours.
-pub fn edge(half_angle: f64) -> Both<Option<f64>> {
+pub fn edge(half_angle: f64) -> AgainstProtocol<Option<f64>> {
     let search = |is_lit: &dyn Fn(f64) -> Option<bool>| {
         let (mut lit, mut dark) = (0.0, 1e6);
         while lit < f64::midpoint(lit, dark) && f64::midpoint(lit, dark) < dark {
@@ -36,7 +36,7 @@ pub fn edge(half_angle: f64) -> Both<Option<f64>> {
         }
         Some(lit)
     };
-    Both {
+    AgainstProtocol {
         ours: search(&|x| is_lit(half_angle, x, 0.0).ours),
         theirs: search(&|x| is_lit(half_angle, x, 0.0).theirs),
     }

@@ -2,17 +2,17 @@
 
 use a02_math::{Direction, Point3, Vector3};
 use a07_transforms::Mat4x4;
-use measure::extremes::{Both, greatest};
+use measure::extremes::{AgainstProtocol, greatest};
 use measure::sweep::{Point, Sweep};
 
 use crate::extremes::matrices::{Chain, off_identity};
 
 /// Matrix and inverse by the lesson and by the protocol, of a chain that stretches.
-fn matrices(factor: f64) -> Both<Option<[Mat4x4; 2]>> {
+fn matrices(factor: f64) -> AgainstProtocol<Option<[Mat4x4; 2]>> {
     let Ok(chain) = Chain::stretched(factor) else {
-        return Both::default();
+        return AgainstProtocol::default();
     };
-    Both {
+    AgainstProtocol {
         ours: Some([chain.ours.matrix(), chain.ours.inverse()]),
         theirs: Some([chain.theirs.m, chain.theirs.i]),
     }

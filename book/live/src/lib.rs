@@ -1,7 +1,7 @@
 //! The stages' lessons for the book's pages: pictures that the reader renders on the
 //! page, and the numbers behind the figures.
 //!
-//! A page sends a request, a name and numbers, to [`call`] and shows the [`Answer`].
+//! A page sends a request, a name and numbers, to [`call`] and shows the [`Reply`].
 //! Compiled to WebAssembly, the crate exports it as plain functions on memory.
 
 mod catalogue;
@@ -15,17 +15,17 @@ mod sweeps;
 
 use common::Error;
 
-pub use page::Answer;
+pub use page::Reply;
 
 /// The answer to a request, or the reason why there is none.
-type Answered = Result<Answer, Error>;
+type Answered = Result<Reply, Error>;
 
 /// Answers a request of a page: `render`, `about`, `export`, `trace` or `drawing` and a picture, with the
 /// settings and a pixel as numbers, `measure` and a request to the measurement of error against run time,
 /// `sweeps`, `sweep NAME` with a power of ten, `work`, `done` or `timed` and a picture, `pictures`, or the name of a figure
 /// with its numbers. The text of a scene file is a picture, too, behind a line `file`; `numbers`,
 /// `responses` and `changes` take no other picture. An error is a sentence for the reader.
-pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
+pub fn call(request: &str, numbers: &[f64]) -> Result<Reply, String> {
     let answer = match request.split_once(' ') {
         Some(("render", name)) => picture::render(name, numbers),
         Some(("export", name)) => picture::export(name),
@@ -42,7 +42,7 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         Some(("work", name)) => omissions::work(name, numbers),
         Some(("done", name)) => omissions::done(name, numbers),
         None if request == "sweeps" => Ok(sweeps::all()),
-        None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),
+        None if request == "pictures" => Ok(Reply::text(catalogue::names().join("\n"))),
         _ => figures::answer(request, numbers),
     };
     answer.map_err(|error| error.to_string())

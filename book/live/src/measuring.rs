@@ -14,9 +14,9 @@ use common::{Color, Error, Image, Size};
 use measure::front::Contender;
 use measure::report::Measured;
 use measure::scene_report::METHODS;
-use measure::{Rounds, Turn, reach};
+use measure::{Rounds, Turn, time_to_error};
 
-use crate::{Answer, Answered, omissions};
+use crate::{Answered, Reply, omissions};
 use pictures::Pictures;
 
 /// A measurement that has begun.
@@ -121,7 +121,7 @@ impl Measuring {
                 {
                     measured.run(turn);
                 }
-                Ok(Answer::default())
+                Ok(Reply::default())
             }
             ("took", [seconds]) => {
                 self.took(*seconds);
@@ -162,7 +162,7 @@ impl Measuring {
     }
 
     /// How much is done of how much, in samples per pixel; whether all is prepared, and whether all is measured.
-    fn progress(&self) -> Answer {
+    fn progress(&self) -> Reply {
         let points: f64 = match (&self.subject, &self.timed) {
             (Subject::Pictures(pictures), _) => pictures.work_of_a_round(),
             (_, Some(timed)) => timed.measured.points().count() as f64,
@@ -173,7 +173,7 @@ impl Measuring {
             _ => 0.0,
         };
         let rounds = self.timed.as_ref().map(|timed| &timed.rounds);
-        Answer::default()
+        Reply::default()
             .with(
                 "progress",
                 [self.work_done, before + ROUNDS as f64 * points],
@@ -193,7 +193,7 @@ impl Measuring {
     /// The answer with a row for each point: its place, error and time with their ends, and whether it is on the
     /// front. The text has a line for each curve: its name, its slope, and how long its first point takes beside
     /// that of the first curve.
-    fn with_points(&self, answer: Answer) -> Answer {
+    fn with_points(&self, answer: Reply) -> Reply {
         let Some(Timed { measured, .. }) = &self.timed else {
             return answer;
         };
@@ -223,25 +223,23 @@ impl Measuring {
                 ("point.front", flag(front.iter().any(is_point))),
             ]
         });
-        Answer { text, ..answer }.with_rows(rows)
+        Reply { text, ..answer }.with_rows(rows)
     }
 
     /// The methods that reach an error, the soonest first, and how many may be the soonest.
-    fn soonest(&self, error: f64) -> Answer {
+    fn soonest(&self, error: f64) -> Reply {
         let curves = self.timed.as_ref().map(|timed| &timed.measured.curves[..]);
-        let (reaches, ties) = reach::soonest(curves.unwrap_or_default(), error, next_samples);
-        let rows = reaches.iter().map(|reach| {
+        let (times, ties) = time_to_error::soonest(curves.unwrap_or_default(), error, next_samples);
+        let rows = times.iter().map(|found| {
             [
-                ("reach.curve", reach.curve as f64),
-                ("reach.parameter", reach.parameter),
-                ("reach.seconds", reach.time.value),
-                ("reach.seconds_low", reach.time.low),
-                ("reach.seconds_high", reach.time.high),
+                ("reach.curve", found.curve as f64),
+                ("reach.parameter", found.parameter),
+                ("reach.seconds", found.time.value),
+                ("reach.seconds_low", found.time.low),
+                ("reach.seconds_high", found.time.high),
             ]
         });
-        Answer::default()
-            .with("ties", [ties as f64])
-            .with_rows(rows)
+        Reply::default().with("ties", [ties as f64]).with_rows(rows)
     }
 
     /// The picture of a point, and beside it its errors, enlarged.

@@ -10,7 +10,7 @@ use measure::experiment::{Curve, Errors, Experiment, Point, Times};
 use measure::report::Measured;
 use page::pixels;
 
-use crate::{Answer, Answered, catalogue};
+use crate::{Answered, Reply, catalogue};
 
 /// The scene of a picture, and settings for a small picture by the lesson or, if the first number is 1, the engine.
 fn small_scene(picture: &str, numbers: &[f64]) -> Result<(Scene, Settings), Error> {
@@ -68,7 +68,7 @@ pub fn work(picture: &str, numbers: &[f64]) -> Answered {
             bits.push(bit as f64);
         }
     }
-    Ok(Answer {
+    Ok(Reply {
         text: lines.join("\n"),
         ..pixels(&image)
     }

@@ -4,7 +4,7 @@ use a03_rays_cameras::instruments::orbit_camera::{Orbit, OrbitCamera};
 use a03_rays_cameras::{View, Views};
 use common::{Error, PixelTrace, Renderer, Sampling, Settings, Transfer};
 
-use crate::{Answer, Answered, catalogue};
+use crate::{Answered, Reply, catalogue};
 
 use page::settings;
 pub use page::{pixels, sampling};
@@ -64,7 +64,7 @@ fn traced(picture: &str, numbers: &[f64]) -> Result<PixelTrace, Error> {
 
 /// The numbers behind a pixel as JSON.
 pub fn trace(picture: &str, numbers: &[f64]) -> Answered {
-    traced(picture, numbers).map(|trace| Answer::text(trace.to_json(Transfer::Linear)))
+    traced(picture, numbers).map(|trace| Reply::text(trace.to_json(Transfer::Linear)))
 }
 
 /// The rays of a sample, whose number from 0 follows the pixel, as SVG, and the places of its views.
@@ -77,7 +77,7 @@ pub fn drawing(picture: &str, numbers: &[f64]) -> Answered {
     let drawing = view
         .ok_or_else(painted)?
         .drawing(sample.unwrap_or_default(), "the picture");
-    Ok(Answer::text(drawing.svg).with("views", drawing.views.into_iter().flatten()))
+    Ok(Reply::text(drawing.svg).with("views", drawing.views.into_iter().flatten()))
 }
 
 /// The scene of a picture as a scene file.
@@ -86,7 +86,7 @@ pub fn export(picture: &str) -> Answered {
     let text = Views::of(&scene)?
         .view(&scene.defaults)?
         .export("toml", &scene.defaults)?;
-    Ok(Answer::text(text))
+    Ok(Reply::text(text))
 }
 
 /// The settings that a picture has by default, and those that change it.
@@ -101,7 +101,7 @@ pub fn about(picture: &str) -> Answered {
     let [width, height] = [defaults.size.width(), defaults.size.height()].map(f64::from);
     let (samples, place) = (defaults.samples.into(), sampling.unwrap_or(0) as f64);
     let (seed, depth) = (defaults.seed as f64, defaults.depth.into());
-    Ok(Answer::text(scene.about)
+    Ok(Reply::text(scene.about)
         .with(
             "settings",
             [width, height, samples, place, seed, depth, engine],

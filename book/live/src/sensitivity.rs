@@ -10,7 +10,7 @@ use common::{Color, Error, Image, SceneNumber, Settings, Unit};
 use page::settings;
 
 use crate::catalogue::FILE;
-use crate::{Answer, Answered, file};
+use crate::{Answered, Reply, file};
 use response::{Response, response};
 
 /// A file whose text a page has sent, so that it is read once for many requests about it.
@@ -116,7 +116,7 @@ pub fn numbers(picture: &str) -> Answered {
         };
         let list =
             |value: &dyn Fn(&SceneNumber) -> f64| numbers.iter().map(value).collect::<Vec<_>>();
-        Ok(Answer::text(names.join("\n"))
+        Ok(Reply::text(names.join("\n"))
             .with("lines", list(&|number| number.line as f64))
             .with("starts", list(&|number| units_before(number.bytes.start)))
             .with("ends", list(&|number| units_before(number.bytes.end)))
@@ -168,7 +168,7 @@ pub fn responses(picture: &str, given: &[f64]) -> Answered {
             places.push(place);
             strengths.push(strength);
         }
-        Ok(Answer::default()
+        Ok(Reply::default()
             .with("kinds", kinds)
             .with("changes", changes)
             .with("errors", errors)
@@ -186,7 +186,7 @@ pub fn changes(picture: &str, given: &[f64]) -> Answered {
         let settings = settings(&opened.defaults, given)?;
         let Some(index) = given.get(10) else {
             opened.picture(&settings)?;
-            return Ok(Answer::default());
+            return Ok(Reply::default());
         };
         let Some(number) = opened.numbers.get(*index as usize) else {
             return Err(Error::Usage("the file has no such number".to_owned()));
@@ -197,9 +197,9 @@ pub fn changes(picture: &str, given: &[f64]) -> Answered {
         let pairs = before.pixels().iter().zip(moved_pixels);
         let pixels = pairs.flat_map(|(before, after)| [0, 0, 0, opacity(change(*before, *after))]);
         let size = before.size();
-        Ok(Answer {
+        Ok(Reply {
             pixels: pixels.collect(),
-            ..Answer::default()
+            ..Reply::default()
         }
         .with("size", [size.width().into(), size.height().into()])
         .with("step", moved.iter().map(|(step, _)| *step)))

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use common::Error;
-use measure::extremes::{Both, Outcome};
+use measure::extremes::{AgainstProtocol, Outcome};
 use measure::sweep::{HALF_OF_THE_DIGITS, Point, Sweep, ten_to};
 
-use crate::{Answer, Answered};
+use crate::{Answered, Reply};
 
 const ALL: [Sweep; 7] = [
     a04_lab::sweeps::FAR_BALL,
@@ -25,7 +25,7 @@ const PANEL: u32 = 120;
 const GAP: u32 = 8;
 
 /// All problems: below the names of the columns a line of words for each, and the ranges of their powers.
-pub fn all() -> Answer {
+pub fn all() -> Reply {
     let mut text = "name\tparameter\tcomputes\tshows\tstage\texercise\tunit".to_owned();
     for sweep in &ALL {
         let exercise = sweep.exercise.as_ref().map_or("", |asked| asked.name);
@@ -43,7 +43,7 @@ pub fn all() -> Answer {
             "\n{name}\t{parameter}\t{computes}\t{shows}\t{stage}\t{exercise}\t{unit}"
         );
     }
-    Answer::text(text).with_rows(ALL.iter().map(|sweep| {
+    Reply::text(text).with_rows(ALL.iter().map(|sweep| {
         let [first, last] = sweep.powers;
         [
             ("range.first", first),
@@ -68,7 +68,7 @@ fn find(name: &str) -> Result<&'static Sweep, Error> {
     found.ok_or_else(|| Error::Usage(format!("there is no problem \"{name}\"")))
 }
 
-fn curves(sweep: &Sweep) -> Answer {
+fn curves(sweep: &Sweep) -> Reply {
     let points: Vec<_> = sweep.powers().map(|power| sweep.point(power)).collect();
     let list = |error: fn(&Point) -> f64| -> Vec<f64> {
         let errors = points
@@ -76,7 +76,7 @@ fn curves(sweep: &Sweep) -> Answer {
             .map(|point| error(point) * unit_of(sweep, point));
         errors.collect()
     };
-    Answer::default()
+    Reply::default()
         .with("powers", sweep.powers())
         .with("allowed", list(Point::allowed))
         .with("ours", list(|point| point.error(point.found.ours)))
@@ -86,17 +86,17 @@ fn curves(sweep: &Sweep) -> Answer {
 }
 
 /// The text has a line for each of the exact answer, the protocol's and ours.
-fn point(sweep: &Sweep, power: f64) -> Answer {
+fn point(sweep: &Sweep, power: f64) -> Reply {
     let point = sweep.point(power);
-    let Both { ours, theirs } = point.found;
+    let AgainstProtocol { ours, theirs } = point.found;
     let found = [theirs, ours].map(|found| Outcome::from(found).to_string());
     let right = [0, 1]
         .map(|n| right_digits(&found[n], point.error([theirs, ours][n]) * ulp_of(&point)) as f64);
     let [theirs_shown, ours_shown] = &found;
     let lines = format!("{}\n{theirs_shown}\n{ours_shown}", point.exact.digits());
-    Answer {
+    Reply {
         pixels: pictures(sweep, ten_to(power)),
-        ..Answer::text(lines)
+        ..Reply::text(lines)
     }
     .with("right", right)
     .with(
@@ -175,7 +175,7 @@ pub fn questions(name: &str) -> Answered {
     let sweep = find(name)?;
     let points: Vec<_> = sweep.powers().map(|power| sweep.point(power)).collect();
     let part = sweep.exercise.as_ref().map_or("", |exercise| exercise.part);
-    Ok(Answer::text(part)
+    Ok(Reply::text(part)
         .with(
             "count",
             points.first().map(|point| point.given.len() as f64),
@@ -190,5 +190,5 @@ pub fn errors(name: &str, answers: &[f64]) -> Answered {
     let errors = points
         .zip(answers)
         .map(|(point, answer)| point.error(Some(answer * point.factor)) * unit_of(sweep, &point));
-    Ok(Answer::default().with("yours", errors.collect::<Vec<_>>()))
+    Ok(Reply::default().with("yours", errors.collect::<Vec<_>>()))
 }

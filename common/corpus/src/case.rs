@@ -30,7 +30,7 @@ pub struct Case {
     /// The ray and the shape.
     pub question: Question,
     /// The exact answer.
-    pub answer: Answer,
+    pub answer: ExactAnswer,
     /// How many times greater the relative change of `t` may be than those of all numbers of ray
     /// and shape: the sum of `|∂t/∂x · x / t|`. Infinite where the ray touches a round shape, 0
     /// where there is no `t`.
@@ -100,7 +100,7 @@ pub enum Step {
 
 /// What exact arithmetic says of a ray and a shape.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Answer {
+pub enum ExactAnswer {
     /// The ray hits the shape.
     Hit(Hit),
     /// The ray misses the shape within the interval.

@@ -5,9 +5,9 @@ mod case;
 mod reader;
 mod verdict;
 
-pub use case::{Answer, Case, Hit, Question, Shape, Step};
+pub use case::{Case, ExactAnswer, Hit, Question, Shape, Step};
 pub use reader::read;
-pub use verdict::{DOUBLE, Verdict, judge};
+pub use verdict::{DOUBLE, Verdict, verdict};
 
 /// The text of `cases.toml`, whose numbers are doubles.
 pub const CASES: &str = include_str!("../cases.toml");

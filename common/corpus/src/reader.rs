@@ -2,7 +2,7 @@
 
 use common::row::{self, Row, Value};
 
-use crate::{Answer, Case, Hit, Question, Shape, Step};
+use crate::{Case, ExactAnswer, Hit, Question, Shape, Step};
 
 /// Reads cases. A case that has no answer yet is refused.
 ///
@@ -104,14 +104,14 @@ fn under(row: &Row) -> Result<Vec<Step>, String> {
     Ok(steps)
 }
 
-fn answer(row: &Row) -> Result<Answer, String> {
+fn answer(row: &Row) -> Result<ExactAnswer, String> {
     match row.get::<String>("answer")?.as_str() {
-        "miss" => Ok(Answer::Miss),
-        "coplanar" => Ok(Answer::Coplanar),
+        "miss" => Ok(ExactAnswer::Miss),
+        "coplanar" => Ok(ExactAnswer::Coplanar),
         "hit" => {
             let Digits { text, number } = row.get("t")?;
             let normal: Option<[Digits; 3]> = row.find("normal")?;
-            Ok(Answer::Hit(Hit {
+            Ok(ExactAnswer::Hit(Hit {
                 t: number,
                 digits: text,
                 normal: normal.map(|normal| normal.map(|digits| digits.text)),

@@ -1,6 +1,6 @@
 //! The verdict about an answer, in two parts: its decision, and its value.
 
-use crate::{Answer, Case};
+use crate::{Case, ExactAnswer};
 
 /// The relative rounding error of doubles, `2^-53`.
 pub const DOUBLE: f64 = 0.5 * f64::EPSILON;
@@ -34,30 +34,30 @@ impl Verdict {
     }
 }
 
-/// Judges an answer for a case: the `t` that was found in doubles, if a hit was found.
+/// The verdict about an answer for a case: the `t` that was found in doubles, if a hit was found.
 #[must_use]
-pub fn judge(case: &Case, found: Option<f64>) -> Verdict {
+pub fn verdict(case: &Case, found: Option<f64>) -> Verdict {
     let is_hit = match case.answer {
-        Answer::Hit(_) => Some(true),
-        Answer::Miss => Some(false),
+        ExactAnswer::Hit(_) => Some(true),
+        ExactAnswer::Miss => Some(false),
         // Neither a hit nor a miss contradicts infinitely many hits.
-        Answer::Coplanar => None,
+        ExactAnswer::Coplanar => None,
     };
     Verdict {
         decision: is_hit
             .filter(|_| !case.is_border)
             .map(|is_hit| is_hit == found.is_some()),
-        value: found.and_then(|t| judge_value(case, t)),
+        value: found.and_then(|t| is_right_value(case, t)),
     }
 }
 
 /// Whether a `t` is right, if another one would not be.
-fn judge_value(case: &Case, t: f64) -> Option<bool> {
+fn is_right_value(case: &Case, t: f64) -> Option<bool> {
     if !t.is_finite() {
         return Some(false);
     }
     let (least, greatest) = match (&case.answer, case.between) {
-        (Answer::Hit(hit), between) => {
+        (ExactAnswer::Hit(hit), between) => {
             // One unit in the last place is at most two rounding errors.
             let allowed = ALLOWED * case.condition.max(1.0) * 2.0 * DOUBLE * hit.t.abs();
             let [least, greatest] = between.unwrap_or([hit.t, hit.t]);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use corpus::{Answer, CASES, Case, SINGLE_CASES, Verdict, judge, read};
+use corpus::{CASES, Case, ExactAnswer, SINGLE_CASES, Verdict, read, verdict};
 
 fn case(id: &str) -> Case {
     let cases = read(CASES).unwrap();
@@ -29,7 +29,7 @@ fn each_case_has_a_name_of_its_own_a_source_and_an_exact_answer() {
     }
 }
 
-fn verdict(decision: impl Into<Option<bool>>, value: impl Into<Option<bool>>) -> Verdict {
+fn expected(decision: impl Into<Option<bool>>, value: impl Into<Option<bool>>) -> Verdict {
     Verdict {
         decision: decision.into(),
         value: value.into(),
@@ -40,38 +40,38 @@ fn verdict(decision: impl Into<Option<bool>>, value: impl Into<Option<bool>>) ->
 fn a_value_may_be_off_by_sixteen_times_the_condition() {
     // 10000001, of condition 2.
     let case = case("public-35");
-    let Answer::Hit(hit) = &case.answer else {
+    let ExactAnswer::Hit(hit) = &case.answer else {
         panic!()
     };
     assert_eq!(hit.digits, "10000001");
-    let found = |ulps: f64| judge(&case, Some(hit.t * (1.0 + ulps * f64::EPSILON)));
-    assert_eq!(found(31.0), verdict(true, true));
-    assert_eq!(found(33.0), verdict(true, false));
-    assert_eq!(judge(&case, None), verdict(false, None));
-    let nan = judge(&case, Some(f64::NAN));
-    assert_eq!(nan, verdict(true, false));
+    let found = |ulps: f64| verdict(&case, Some(hit.t * (1.0 + ulps * f64::EPSILON)));
+    assert_eq!(found(31.0), expected(true, true));
+    assert_eq!(found(33.0), expected(true, false));
+    assert_eq!(verdict(&case, None), expected(false, None));
+    let nan = verdict(&case, Some(f64::NAN));
+    assert_eq!(nan, expected(true, false));
 }
 
 /// The hit is the end of the interval, so that a closed interval has it.
 #[test]
 fn on_a_border_decisions_are_not_counted_and_values_have_a_range() {
     let border = case("contact-13");
-    assert_eq!(border.answer, Answer::Miss);
-    assert_eq!(judge(&border, None), verdict(None, None));
-    assert_eq!(judge(&border, Some(4.0)), verdict(None, true));
-    assert_eq!(judge(&border, Some(4.1)), verdict(None, false));
-    let nan = judge(&border, Some(f64::NAN));
-    assert_eq!(nan, verdict(None, false));
+    assert_eq!(border.answer, ExactAnswer::Miss);
+    assert_eq!(verdict(&border, None), expected(None, None));
+    assert_eq!(verdict(&border, Some(4.0)), expected(None, true));
+    assert_eq!(verdict(&border, Some(4.1)), expected(None, false));
+    let nan = verdict(&border, Some(f64::NAN));
+    assert_eq!(nan, expected(None, false));
 }
 
 #[test]
 fn what_no_answer_can_fail_is_not_counted() {
     let coplanar = case("public-38");
     for found in [None, Some(1.0)] {
-        assert!(!judge(&coplanar, found).is_counted());
+        assert!(!verdict(&coplanar, found).is_counted());
     }
     // On a border, and with an infinite condition that leaves no digit.
-    let touching = judge(&case("public-54"), Some(23.0));
+    let touching = verdict(&case("public-54"), Some(23.0));
     assert!(!touching.is_counted());
 }
 

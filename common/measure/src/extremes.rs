@@ -4,7 +4,7 @@
 //! compares both with an exact value from another source. Where the row says so,
 //! the protocol's formula must fail: otherwise the row would prove nothing.
 
-mod both;
+mod against_protocol;
 mod bound;
 mod case;
 mod condition;
@@ -12,7 +12,7 @@ mod outcome;
 mod rows;
 mod table;
 
-pub use both::{Both, count_wrong};
+pub use against_protocol::{AgainstProtocol, count_wrong};
 pub use bound::Bound::{self, Absolute, Equal, Ulps};
 pub use bound::ulp;
 pub use case::Case;

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use crate::experiment::{Axis, Curve, Interval};
-use crate::student;
-use crate::sure::Sure;
+use crate::rounded_interval::RoundedInterval;
+use crate::t_distribution;
 
 /// The most that errors may stray from a power law, as the root mean square of their
 /// residuals in decades: a factor of about the square root of two.
@@ -57,7 +57,7 @@ impl Fit {
         }
         Some(Self {
             slope: line.slope,
-            half_width: student::factor(points.len() - 2) * line.standard_error,
+            half_width: t_distribution::factor(points.len() - 2) * line.standard_error,
             scatter: (squared_residuals / (count - 2.0)).sqrt(),
             decades: high - low,
             bend: bend(points),
@@ -78,7 +78,10 @@ impl Fit {
 
     /// The slope with its interval.
     fn slope_in_words(&self) -> String {
-        format!("slope {}", Sure::around(self.slope, self.half_width))
+        format!(
+            "slope {}",
+            RoundedInterval::around(self.slope, self.half_width)
+        )
     }
 
     /// The interval of the slope.
@@ -118,7 +121,7 @@ fn bend(points: &[LogPoint]) -> f64 {
     let change = second.slope - first.slope;
     let standard_error = libm::hypot(first.standard_error, second.standard_error);
     // Two of the points of each half are used up by its line.
-    if change.abs() <= student::factor(2 * half - 4) * standard_error {
+    if change.abs() <= t_distribution::factor(2 * half - 4) * standard_error {
         0.0
     } else {
         change

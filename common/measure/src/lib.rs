@@ -26,14 +26,14 @@ mod laboratory;
 mod plot;
 mod point;
 pub mod provenance;
-pub mod reach;
 pub mod recorded;
 pub mod report;
+mod rounded_interval;
 mod rounds;
 pub mod scene_report;
-mod student;
-mod sure;
 pub mod sweep;
+mod t_distribution;
+pub mod time_to_error;
 
 #[cfg(not(target_family = "wasm"))]
 pub use command_line::{run, run_with};

@@ -20,14 +20,14 @@
 mod anchor;
 mod compare;
 mod figure;
-mod row;
+mod recorded_point;
 #[cfg(test)]
 mod tests;
 
 pub use anchor::Anchor;
 pub use compare::{Comparison, Turned};
 use figure::Name;
-pub use row::{Measurement, Row};
+pub use recorded_point::{Measurement, RecordedPoint};
 
 /// A recording.
 #[derive(Debug, Default)]
@@ -36,7 +36,7 @@ pub struct Recording<'t> {
     head: Vec<(&'t str, &'t str)>,
     /// The names of the columns.
     columns: &'t str,
-    rows: Vec<Row<'t>>,
+    rows: Vec<RecordedPoint<'t>>,
     /// Points of another recording, whose quotients have another sign.
     elsewhere: Option<Box<Self>>,
 }
@@ -55,7 +55,8 @@ impl<'t> Recording<'t> {
             recording.head.extend(line.split_once(": "));
         }
         for line in lines {
-            let row = Row::parse(line).ok_or_else(|| format!("this is no row: {line}"))?;
+            let row =
+                RecordedPoint::parse(line).ok_or_else(|| format!("this is no row: {line}"))?;
             recording.rows.push(row);
         }
         Ok(recording)
@@ -69,7 +70,7 @@ impl<'t> Recording<'t> {
     }
 
     /// The points of an experiment.
-    pub fn experiment(&self, name: &str) -> impl Iterator<Item = &Row<'t>> {
+    pub fn experiment(&self, name: &str) -> impl Iterator<Item = &RecordedPoint<'t>> {
         self.rows.iter().filter(move |row| row.experiment == name)
     }
 
@@ -142,7 +143,7 @@ impl<'t> Recording<'t> {
     }
 
     /// The points of a method; those at the value of the parameter, if the name has one.
-    fn points(&self, name: &Name, method: &str) -> Vec<&Row<'t>> {
+    fn points(&self, name: &Name, method: &str) -> Vec<&RecordedPoint<'t>> {
         let mut points: Vec<_> = self.rows.iter().collect();
         points.retain(|row| row.experiment == name.experiment && row.has_method(method));
         if let Some(at) = name.at {
@@ -154,7 +155,11 @@ impl<'t> Recording<'t> {
 
 /// The quotient of the times of two points in some rows. The times of all methods come from turns with
 /// the first one: no other quotient has an interval.
-fn quotient(rows: &[Row], own: &Row, other: &Row) -> Option<Measurement> {
+fn quotient(
+    rows: &[RecordedPoint],
+    own: &RecordedPoint,
+    other: &RecordedPoint,
+) -> Option<Measurement> {
     if let Some(quotient) = over_first(rows, own).filter(|_| is_first(rows, other)) {
         return Some(quotient);
     }
@@ -163,13 +168,13 @@ fn quotient(rows: &[Row], own: &Row, other: &Row) -> Option<Measurement> {
 }
 
 /// Whether a point belongs to the first method of its experiment.
-fn is_first(rows: &[Row], point: &Row) -> bool {
+fn is_first(rows: &[RecordedPoint], point: &RecordedPoint) -> bool {
     let first = rows.iter().find(|row| row.experiment == point.experiment);
     first.is_some_and(|first| first.method == point.method)
 }
 
 /// The time of a point over that of the first method.
-fn over_first(rows: &[Row], point: &Row) -> Option<Measurement> {
+fn over_first(rows: &[RecordedPoint], point: &RecordedPoint) -> Option<Measurement> {
     let own = rows
         .iter()
         .find(|row| row.is_at(point) && row.method == point.method)?;

@@ -1,7 +1,7 @@
 //! `Sweep`: a problem with one number that a reader turns from harmless to extreme.
 
 use crate::exact::DoubleDouble;
-use crate::extremes::{Both, ulp};
+use crate::extremes::{AgainstProtocol, ulp};
 
 /// A problem that one number makes harder and harder.
 pub struct Sweep {
@@ -30,7 +30,7 @@ pub struct Sweep {
     pub at: fn(f64) -> Point,
     /// How bright both formulas paint a place of a picture for a value of the number, from -1 to 1 to the
     /// right and upwards; `None` where they find nothing.
-    pub picture: fn(f64, [f64; 2]) -> Both<Option<f64>>,
+    pub picture: fn(f64, [f64; 2]) -> AgainstProtocol<Option<f64>>,
 }
 
 /// An exercise whose first question takes the given numbers of a [`Point`].
@@ -54,7 +54,7 @@ pub struct Point {
     /// The condition of the problem.
     pub condition: f64,
     /// The answers of both formulas.
-    pub found: Both<Option<f64>>,
+    pub found: AgainstProtocol<Option<f64>>,
 }
 
 impl Point {
@@ -62,7 +62,7 @@ impl Point {
     pub fn of(
         given: &[f64],
         answer: impl Fn(&[DoubleDouble]) -> DoubleDouble,
-        found: Both<Option<f64>>,
+        found: AgainstProtocol<Option<f64>>,
     ) -> Self {
         let numbers: Vec<_> = given.iter().map(|x| DoubleDouble::from(*x)).collect();
         let exact = answer(&numbers);

@@ -2,7 +2,7 @@
 
 use common::{Error, Image, Renderer, Sampling, Settings, Size, Transfer, fnv1a};
 
-use crate::Answer;
+use crate::Reply;
 
 /// The place of the samples that a page gives as a number: their place in the list of all.
 #[must_use]
@@ -38,13 +38,13 @@ pub fn settings(defaults: &Settings, numbers: &[f64]) -> Result<Settings, Error>
 
 /// The pixels, size and, as text, hash of a picture.
 #[must_use]
-pub fn pixels(image: &Image) -> Answer {
+pub fn pixels(image: &Image) -> Reply {
     let rgb = image.to_rgb8(Transfer::Linear);
     let rgba = rgb.as_chunks::<3>().0.iter();
     let (width, height) = (image.size().width(), image.size().height());
-    Answer {
+    Reply {
         pixels: rgba.flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect(),
-        ..Answer::text(format!("{:016x}", fnv1a(&rgb)))
+        ..Reply::text(format!("{:016x}", fnv1a(&rgb)))
     }
     .with("size", [width.into(), height.into()])
 }

@@ -3,12 +3,12 @@
 //! Two kinds of modules speak so: that of the lessons, and those of the students' code. A module
 //! exports a function `answer`, which calls `answer_request` with its own answers.
 
-mod answer;
 mod exchange;
 #[cfg(target_family = "wasm")]
 mod memory;
+mod reply;
 
-pub use answer::Answer;
 pub use exchange::{pixels, sampling, settings};
 #[cfg(target_family = "wasm")]
 pub use memory::answer_request;
+pub use reply::Reply;

@@ -7,7 +7,7 @@
 
 use std::cell::RefCell;
 
-use crate::Answer;
+use crate::Reply;
 
 /// Room for the request: its text, and the bytes of its numbers.
 type Request = [Vec<u8>; 2];
@@ -31,18 +31,18 @@ extern "C" fn reserve(part: usize, length: usize) -> *mut u8 {
 }
 
 /// Answers the request; false if the answer is the text of an error.
-pub fn answer_request(call: impl Fn(&str, &[f64]) -> Result<Answer, String>) -> bool {
+pub fn answer_request(call: impl Fn(&str, &[f64]) -> Result<Reply, String>) -> bool {
     let answer = REQUEST.with_borrow(|[text, numbers]| {
         let bytes = numbers.as_chunks::<8>().0.iter();
         let numbers: Vec<_> = bytes.map(|number| f64::from_le_bytes(*number)).collect();
         call(&String::from_utf8_lossy(text), &numbers)
     });
     let is_answered = answer.is_ok();
-    PARTS.set(parts(answer.unwrap_or_else(Answer::text)));
+    PARTS.set(parts(answer.unwrap_or_else(Reply::text)));
     is_answered
 }
 
-fn parts(answer: Answer) -> Parts {
+fn parts(answer: Reply) -> Parts {
     let lists = answer.numbers.iter();
     let names: Vec<_> = lists
         .clone()

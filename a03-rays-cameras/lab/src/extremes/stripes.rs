@@ -4,14 +4,14 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
-use measure::extremes::{Both, count_wrong};
+use measure::extremes::{AgainstProtocol, count_wrong};
 
 use crate::protocol::count_current_stripe;
 use a03_rays_cameras::StripeRule::{self, Direction, Wall};
 use a03_rays_cameras::{PinholeCamera, StripedSky};
 
 /// The number of wrong results, or why there are none.
-type Counts = Result<Both<usize>, ArgumentError>;
+type Counts = Result<AgainstProtocol<usize>, ArgumentError>;
 
 /// A picture of a striped sky, and the height by which the protocol counts its stripes.
 struct StripedPicture {
@@ -48,13 +48,13 @@ impl StripedPicture {
     }
 
     /// The stripe at a position of the picture.
-    fn stripe_at(&self, x: f64, y: f64) -> Both<u32> {
+    fn stripe_at(&self, x: f64, y: f64) -> AgainstProtocol<u32> {
         let middle = f64::from(self.size.width()) / 2.0;
         let top = self.camera.generate_ray(self.size, middle, 0.0);
         let top = (self.height)(top.direction());
         let ray = self.camera.generate_ray(self.size, x, y);
         let height = (self.height)(ray.direction());
-        Both {
+        AgainstProtocol {
             ours: self.sky.stripe(&ray),
             theirs: count_current_stripe(top, self.stripes, height),
         }
@@ -68,7 +68,7 @@ pub fn at_the_horizon() -> Counts {
         let size = Size::SECOND_COURSE;
         let picture = StripedPicture::new(size, FRAC_PI_3, n, Direction, Vector3::y)?;
         let stripe = picture.stripe_at(240.0, 135.0);
-        Ok(Both {
+        Ok(AgainstProtocol {
             ours: stripe.ours != n / 2,
             theirs: stripe.theirs != n / 2 + 1,
         })
@@ -78,7 +78,7 @@ pub fn at_the_horizon() -> Counts {
 /// Number of runs of one stripe from the top of the picture to its bottom.
 pub fn down_the_middle() -> Counts {
     let picture = StripedPicture::wide(Direction)?;
-    let mut runs = Both { ours: 1, theirs: 1 };
+    let mut runs = AgainstProtocol { ours: 1, theirs: 1 };
     let mut above = picture.stripe_at(240.0, 0.5);
     for row in 1..picture.size.height() {
         let stripe = picture.stripe_at(240.0, f64::from(row) + 0.5);
@@ -94,7 +94,7 @@ pub fn rows_of_several() -> Counts {
     count_wrong(0..picture.size.height(), |row| {
         let y = f64::from(row) + 0.5;
         let first = picture.stripe_at(0.5, y);
-        let mut is_mixed = Both::default();
+        let mut is_mixed = AgainstProtocol::default();
         for column in 1..picture.size.width() {
             let stripe = picture.stripe_at(f64::from(column) + 0.5, y);
             is_mixed.ours |= stripe.ours != first.ours;

@@ -1,7 +1,7 @@
 //! Errors over many rays, compared with 30 digits; and translated and scaled scenes, whose
 //! hits must not change.
 
-use measure::extremes::{Both, Case};
+use measure::extremes::{AgainstProtocol, Case};
 
 use crate::compared_shape::{BOX, ComparedShape, PLANE, SPHERE, TRIANGLE};
 use crate::experiments::far_sphere::{Formula, is_wrong, ours, queries};
@@ -59,13 +59,13 @@ impl Place {
 
     /// The distances of the shapes along the `n`-th ray. The ray's direction does not depend on the
     /// place.
-    fn distances(self, n: usize) -> [Both<Option<f64>>; 4] {
+    fn distances(self, n: usize) -> [AgainstProtocol<Option<f64>>; 4] {
         let mut numbers = Numbers::new(41, n);
         let mut on_grid = |reach: f64| (numbers.between(-reach, reach) / GRID).round() * GRID;
         let from = [(); 3].map(|()| on_grid(4.0));
         let direction = from.map(|x| on_grid(1.0) - x);
         let ray = line(self.at(from), direction).any_ray();
-        self.shapes().map(|(shape, numbers)| Both {
+        self.shapes().map(|(shape, numbers)| AgainstProtocol {
             ours: shape.lesson(&numbers, &ray),
             theirs: (shape.protocol)(&numbers, &ray),
         })

@@ -4,7 +4,7 @@
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
-use measure::extremes::{Both, Case, Number, count_wrong, tried};
+use measure::extremes::{AgainstProtocol, Case, Number, count_wrong, tried};
 
 use super::nearest_hit;
 use crate::line::{Line, line};
@@ -60,7 +60,7 @@ pub fn points_within(count: usize) -> Case {
 
 /// For corners on a line up to rounding, the determinant is only rounding error and
 /// not 0: the protocol computes hits of some of them, at arbitrary points.
-pub fn noise(count: usize) -> Result<Both<usize>, ArgumentError> {
+pub fn noise(count: usize) -> Result<AgainstProtocol<usize>, ArgumentError> {
     count_wrong(0..count, |n| {
         let mut numbers = Numbers::new(32, n);
         let a = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
@@ -70,7 +70,7 @@ pub fn noise(count: usize) -> Result<Both<usize>, ArgumentError> {
         let target = a + along * numbers.between(0.2, 0.8);
         let ray = Ray::new(target + back, -back)?;
         let ours = Triangle::new(a, b, c).map(|triangle| first(&triangle, &ray));
-        Ok(Both {
+        Ok(AgainstProtocol {
             ours: ours.is_ok_and(|t| t.is_some()),
             theirs: protocol::triangle(&[a, b, c], &ray).is_some(),
         })

@@ -1,6 +1,6 @@
 //! A direction that is not of length 1.
 
-use measure::extremes::Both;
+use measure::extremes::AgainstProtocol;
 use measure::sweep::{Point, Sweep};
 
 use super::{UNIT, exercise, hit_of_unit};
@@ -9,9 +9,9 @@ use crate::line::line;
 
 /// The hit of a ray in this direction down to the unit sphere, as a distance: the protocol's `t` counts lengths
 /// of the direction.
-fn distances(x: f64, y: f64, length: f64) -> Both<Option<f64>> {
+fn distances(x: f64, y: f64, length: f64) -> AgainstProtocol<Option<f64>> {
     let down = line([x, y, 3.0], [0.0, 0.0, -length]);
-    Both {
+    AgainstProtocol {
         ours: down
             .unit_ray()
             .ok()

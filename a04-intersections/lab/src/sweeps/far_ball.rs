@@ -2,7 +2,7 @@
 
 use measure::sweep::Sweep;
 
-use super::{UNIT, both, exercise, hit_of_unit};
+use super::{UNIT, against_protocol, exercise, hit_of_unit};
 use crate::compared_shape::SPHERE;
 use crate::line::line;
 
@@ -22,6 +22,6 @@ pub const FAR_BALL: Sweep = Sweep {
     picture: |distance, [x, y]| {
         let from = line([1.4 * x, 1.4 * y, distance], [0.0, 0.0, -1.0]);
         let bulge = |t: f64| 0.25 + 0.75 * (distance - t).clamp(0.0, 1.0);
-        both(&SPHERE, &UNIT, &from.raw_ray()).map(|found| found.map(bulge))
+        against_protocol(&SPHERE, &UNIT, &from.raw_ray()).map(|found| found.map(bulge))
     },
 };

@@ -1,10 +1,10 @@
 //! A triangle that becomes a needle.
 
 use measure::exact::DoubleDouble;
-use measure::extremes::Both;
+use measure::extremes::AgainstProtocol;
 use measure::sweep::{Point, Sweep};
 
-use super::{ahead, both, exercise};
+use super::{against_protocol, ahead, exercise};
 use crate::compared_shape::TRIANGLE;
 use crate::formula::triangle::moeller_trumbore;
 use crate::line::{Line, line};
@@ -53,7 +53,11 @@ pub const NEEDLE: Sweep = Sweep {
         let (needle, line) = (needle(1.0, aspect), towards(place(0.5, 0.33, aspect)));
         let numbers = [&needle[..], &line.origin, &line.direction].concat();
         let ray = line.any_ray();
-        let point = Point::of(&numbers, exact_t, both(&TRIANGLE, &needle, &ray));
+        let point = Point::of(
+            &numbers,
+            exact_t,
+            against_protocol(&TRIANGLE, &needle, &ray),
+        );
         // The formulas get a direction of length 1, so that their `t` is the distance.
         let length = dot(
             &line.direction.map(DoubleDouble::from),
@@ -71,13 +75,13 @@ pub const NEEDLE: Sweep = Sweep {
     picture: |aspect, [x, y]| {
         let ray = towards(place(0.5 + 0.6 * x, 1.2 * y, aspect)).any_ray();
         let [upper, lower] =
-            [1.0, -1.0].map(|height| both(&TRIANGLE, &needle(height, aspect), &ray));
+            [1.0, -1.0].map(|height| against_protocol(&TRIANGLE, &needle(height, aspect), &ray));
         let seen = |upper: Option<f64>, lower: Option<f64>| match (upper, lower) {
             (Some(_), _) => Some(0.55),
             (None, Some(_)) => Some(0.3),
             (None, None) => None,
         };
-        Both {
+        AgainstProtocol {
             ours: seen(upper.ours, lower.ours),
             theirs: seen(upper.theirs, lower.theirs),
         }

@@ -2,7 +2,7 @@
 
 use measure::sweep::Sweep;
 
-use super::{UNIT, both, exercise, hit_of_unit};
+use super::{UNIT, against_protocol, exercise, hit_of_unit};
 use crate::compared_shape::SPHERE;
 use crate::line::line;
 
@@ -27,6 +27,6 @@ pub const TANGENT: Sweep = Sweep {
         );
         let deepest = (6.0 * below).sqrt();
         let depth = |t: f64| 0.3 + 0.7 * ((5.0 - t) / deepest).clamp(0.0, 1.0);
-        both(&SPHERE, &UNIT, &past.raw_ray()).map(|found| found.map(depth))
+        against_protocol(&SPHERE, &UNIT, &past.raw_ray()).map(|found| found.map(depth))
     },
 };

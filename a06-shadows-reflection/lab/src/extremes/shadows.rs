@@ -12,7 +12,7 @@ use a05_lighting::{
 use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
 use corpus::{Question, Shape};
-use measure::extremes::{Both, Case, Outcome, Row, tried};
+use measure::extremes::{AgainstProtocol, Case, Outcome, Row, tried};
 
 use super::tilted_floor::{Expected, TiltedFloor};
 use crate::protocol::{
@@ -110,7 +110,7 @@ pub fn under_a_ball_in_a_row(row: &Row, question: &Question) -> Case {
 }
 
 /// The number of points that are judged wrongly, or why there is none.
-type Counts = Result<Both<usize>, Error>;
+type Counts = Result<AgainstProtocol<usize>, Error>;
 
 /// A lamp on a slanted ceiling: all points below it are lit.
 pub fn under_a_ceiling(points: usize) -> Counts {

@@ -6,7 +6,7 @@ use a04_intersections::{Geometry, Interval, Plane, World};
 use a04_lab::support::Numbers;
 use a05_lighting::Light;
 use common::{Color, Error};
-use measure::extremes::{Both, count_wrong};
+use measure::extremes::{AgainstProtocol, count_wrong};
 
 use a06_shadows_reflection::is_shadowed;
 
@@ -53,20 +53,20 @@ impl TiltedFloor {
         points: usize,
         expected: &Expected,
         is_lit_by_the_protocol: impl Fn(Point3) -> bool,
-    ) -> Result<Both<usize>, Error> {
+    ) -> Result<AgainstProtocol<usize>, Error> {
         count_wrong(0..points, |i| {
             let aside = self.normal.cross(Numbers::new(14, i).triple(-1.0, 1.0));
             let eye = self.above(3.0) + self.normal.cross(aside) * (4.0 * self.size);
             let target = Point3::ORIGIN + aside * (0.3 * self.size);
             let ray = Ray::new(eye, target - eye)?;
             let Some(hit) = self.floor.hit(&ray, Interval::AHEAD) else {
-                return Ok(Both::default());
+                return Ok(AgainstProtocol::default());
             };
             let point = ray.at(hit.t);
             let light = expected.light.illumination(point);
             let is_lit =
                 light.is_some_and(|light| !is_shadowed(expected.world, &ray, &hit, &light));
-            Ok(Both {
+            Ok(AgainstProtocol {
                 ours: is_lit != expected.is_lit,
                 theirs: is_lit_by_the_protocol(point) != expected.is_lit,
             })

@@ -10,7 +10,7 @@ use a04_lab::support::{Numbers, first};
 use a06_shadows_reflection::secondary_ray;
 use common::Error;
 use corpus::{Question, Shape};
-use measure::extremes::{Both, Case, Row, count_wrong};
+use measure::extremes::{AgainstProtocol, Case, Row, count_wrong};
 
 use crate::protocol;
 use a07_transforms::Disc;
@@ -39,7 +39,7 @@ pub fn met(row: &Row, question: &Question) -> Case {
 }
 
 /// Rays that leave a disc on the side from which it was hit must not hit it again.
-pub fn leaving(count: usize) -> Result<Both<usize>, Error> {
+pub fn leaving(count: usize) -> Result<AgainstProtocol<usize>, Error> {
     let center = Point3::new(0.1, 0.2, 0.3);
     let normal = Normal3::new(0.3, 1.0, 0.2).unit("normal n")?;
     let disc = Disc::new(center, normal, 1.0)?;
@@ -50,10 +50,10 @@ pub fn leaving(count: usize) -> Result<Both<usize>, Error> {
         let target = center + Vector3::new(aside.x(), aside.y() / 9.0, aside.z());
         let ray = Ray::new(eye, target - eye)?;
         let Some(hit) = disc.hit(&ray, Interval::AHEAD) else {
-            return Ok(Both::default());
+            return Ok(AgainstProtocol::default());
         };
         let from_point = Ray::derived(ray.at(hit.t), away);
-        Ok(Both {
+        Ok(AgainstProtocol {
             ours: first(&disc, &secondary_ray(&ray, &hit, away)).is_some(),
             theirs: protocol::disc(center, normal, 1.0, &from_point).is_some(),
         })

@@ -2,7 +2,7 @@
 
 use a04_intersections::Hit;
 use a07_lab::asked::{engine, engine_has, lesson, lesson_has};
-use corpus::{Answer, CASES, Case, DOUBLE, Question, SINGLE_CASES, Shape, judge};
+use corpus::{CASES, Case, DOUBLE, ExactAnswer, Question, SINGLE_CASES, Shape, verdict};
 
 /// The cases whose `t` the lesson computes with a greater error than 16 times the condition.
 ///
@@ -38,7 +38,7 @@ fn the_lesson_decides_all_cases_and_states_all_values_but_five() {
         }
         count += 1;
         let found = asked(&case.question).map(|hit| hit.t);
-        let verdict = judge(&case, found);
+        let verdict = verdict(&case, found);
         assert_ne!(verdict.decision, Some(false), "{}", case.question.id);
         if verdict.value == Some(false) {
             wrong.push(case.question.id);
@@ -66,7 +66,7 @@ fn the_engine_answers_as_the_lesson_to_the_last_bit() {
 fn normals_are_as_exact_as_the_point_of_the_hit() {
     let mut count = 0;
     for case in cases() {
-        let (question, Answer::Hit(exact)) = (&case.question, &case.answer) else {
+        let (question, ExactAnswer::Hit(exact)) = (&case.question, &case.answer) else {
             continue;
         };
         let Some(normal) = exact.normal.as_ref().filter(|_| question.under.is_empty()) else {

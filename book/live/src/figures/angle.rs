@@ -3,7 +3,7 @@
 use a02_lab::protocol;
 use a02_math::Vector3;
 
-use crate::Answer;
+use crate::Reply;
 
 /// Powers of ten of the curves: four each decade.
 const POWERS: i32 = 48;
@@ -20,14 +20,14 @@ fn angles(tangent: f64) -> [f64; 4] {
 
 /// Number: the power of ten of the tangent t. The curves are the errors of the arc cosine
 /// for tangents from 10^-12 to 1.
-pub fn answer([power]: [f64; 1]) -> Answer {
+pub fn answer([power]: [f64; 1]) -> Reply {
     let tangent = libm::pow(10.0, power);
     let [ours, by_cosine, our_error, cosine_error] = angles(tangent);
     let powers = (-POWERS..=0).map(|n| f64::from(n) / 4.0);
     let errors = powers
         .clone()
         .map(|power| angles(libm::pow(10.0, power))[3]);
-    Answer::default()
+    Reply::default()
         .with("tangent", [tangent])
         .with("ours", [ours])
         .with("by_cosine", [by_cosine])

@@ -5,7 +5,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval, Triangle};
 
 use super::{Answered, point};
-use crate::Answer;
+use crate::Reply;
 
 /// How far the normals of the corners lean outwards.
 const LEAN: f64 = 1.0;
@@ -32,7 +32,7 @@ pub fn answer([ax, ay, bx, by, cx, cy, x, y]: [f64; 8]) -> Answered {
         let upwards = Vector3::new(0.0, 0.0, 1.0);
         (upwards + (corner - middle) * LEAN).as_normal()
     }))?;
-    Ok(Answer::default()
+    Ok(Reply::default()
         .with("weights", weights.into_iter().flatten())
         .with("normal", normal.into_iter().flatten()))
 }

@@ -3,7 +3,7 @@
 use a07_transforms::Transform;
 
 use super::{Answered, place, point};
-use crate::Answer;
+use crate::Reply;
 
 /// The corners of the shape, a flag.
 const FLAG: [(f64, f64); 5] = [(0.0, 0.0), (0.0, 1.0), (0.7, 0.8), (0.0, 0.6), (0.0, 0.0)];
@@ -17,7 +17,7 @@ pub fn answer([angle, x, y]: [f64; 3]) -> Answered {
         let corners = FLAG.into_iter();
         corners.flat_map(move |(x, y)| place(transform.matrix() * point(x, y)))
     };
-    Ok(Answer::default()
+    Ok(Reply::default()
         .with("turned_first", flag(turned_first))
         .with("moved_first", flag(moved_first)))
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use a03_rays_cameras::PixelRandom;
 
-use crate::Answer;
+use crate::Reply;
 
 /// How often a direction is chosen.
 #[derive(Clone, Copy)]
@@ -107,7 +107,7 @@ const PIXELS: u32 = 1000;
 
 /// Numbers: how many directions, the number of the sky, and the seed. The directions of the first pixel, seen
 /// from above, and the noise of all pixels, measured and in closed form.
-pub fn answer([samples, sky, seed]: [f64; 3]) -> Answer {
+pub fn answer([samples, sky, seed]: [f64; 3]) -> Reply {
     let (count, sky, seed) = (samples as u32, Sky::new(sky), seed as u64);
     let random = PixelRandom::new(seed, 0, 0);
     let places = |density: Density| {
@@ -115,7 +115,7 @@ pub fn answer([samples, sky, seed]: [f64; 3]) -> Answer {
         directions.flatten()
     };
     let exact = |density: Density| [(density.variance(sky) / samples).sqrt()];
-    Answer::default()
+    Reply::default()
         .with("even", places(Density::Even))
         .with("cosine", places(Density::Cosine))
         .with("even_noise", [Density::Even.noise(sky, count, seed)])

@@ -8,7 +8,7 @@ use a07_lab::protocol;
 use a07_transforms::{Node, Transform};
 
 use super::{Answered, flat, place, point};
-use crate::Answer;
+use crate::Reply;
 
 /// Numbers: the factors of the scaling, an angle in degrees, the translation, and
 /// origin and passed point of the ray. The sphere is scaled, turned and then moved.
@@ -22,7 +22,7 @@ pub fn answer([sx, sy, angle, tx, ty, ox, oy, x, y]: [f64; 9]) -> Answered {
     let object_ray = transform.ray_to_object(&ray);
     let sphere = Sphere::new(Point3::ORIGIN, 1.0)?;
     let matrix = transform.matrix().rows();
-    let answer = Answer::default()
+    let answer = Reply::default()
         .with("matrix", matrix.concat())
         .with("direction", flat(ray.direction()))
         .with("object_origin", place(object_ray.origin()))

@@ -4,7 +4,7 @@
 use a03_rays_cameras::{PixelRandom, Sampler};
 use common::Settings;
 
-use crate::{Answer, picture};
+use crate::{Reply, picture};
 
 /// A straight edge through a pixel: left of it is covered. The pixel is a unit square
 /// with its centre at the origin.
@@ -62,12 +62,12 @@ fn sampler(samples: f64, sampling: f64, seed: f64) -> Sampler {
 
 /// Numbers: the edge's angle in degrees and its distance from the pixel's centre, the
 /// number of samples, the number of their place, and the seed.
-pub fn answer([angle, offset, samples, sampling, seed]: [f64; 5]) -> Answer {
+pub fn answer([angle, offset, samples, sampling, seed]: [f64; 5]) -> Reply {
     let edge = Edge::new(angle.to_radians(), offset);
     let sampler = sampler(samples, sampling, seed);
     let (x, y): (Vec<_>, Vec<_>) = sampler.places(0, 0).unzip();
     let (area, estimate) = (edge.area(), edge.estimate(sampler, 0));
-    Answer::default()
+    Reply::default()
         .with("x", x)
         .with("y", y)
         .with("samples", [sampler.samples().into()])
@@ -81,7 +81,7 @@ const PIXELS: u32 = 400;
 
 /// Number: the number of the places. The root mean square error of the coverage over
 /// pixels with an edge anywhere, for 1, 4, 16 … 1024 samples.
-pub fn errors([sampling]: [f64; 1]) -> Answer {
+pub fn errors([sampling]: [f64; 1]) -> Reply {
     let counts = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0];
     let error = |samples: f64| {
         let sampler = sampler(samples, sampling, 0.0);
@@ -94,7 +94,7 @@ pub fn errors([sampling]: [f64; 1]) -> Answer {
         });
         (squares.sum::<f64>() / f64::from(PIXELS)).sqrt()
     };
-    Answer::default()
+    Reply::default()
         .with("counts", counts)
         .with("errors", counts.map(error))
 }

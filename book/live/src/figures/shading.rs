@@ -10,7 +10,7 @@ use a05_lighting::{Illumination, Lambert, Lighting, Material, Phong};
 use common::Color;
 
 use super::{Answered, direction, flat, point};
-use crate::Answer;
+use crate::Reply;
 
 /// One white light.
 struct Lamp(Illumination);
@@ -31,7 +31,7 @@ const DIFFUSE: f64 = 0.5;
 pub fn lambert([light]: [f64; 1]) -> Answered {
     let answer = answer([light, 0.0, 1.0])?;
     let cosine = answer.get("cosine")[0];
-    Ok(Answer::default()
+    Ok(Reply::default()
         .with("angle", [libm::acos(cosine).to_degrees()])
         .with("cosine", [cosine])
         // A beam that is 1 wide.
@@ -64,7 +64,7 @@ pub fn answer([light, eye, exponent]: [f64; 3]) -> Answered {
     let lobe = (0..=DIRECTIONS)
         .map(|i| PI * f64::from(i) / f64::from(DIRECTIONS))
         .map(|eye| seen(&matt, eye) + seen(&shiny, eye));
-    Ok(Answer::default()
+    Ok(Reply::default()
         .with("diffuse", [diffuse])
         .with("highlight", [highlight])
         .with("sum", [diffuse + highlight])

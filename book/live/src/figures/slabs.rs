@@ -5,7 +5,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval};
 
 use super::{Answered, both_hits, flat};
-use crate::Answer;
+use crate::Reply;
 
 /// Half the length of a slab: far beyond the figure.
 const FAR: f64 = 1e6;
@@ -20,7 +20,7 @@ pub fn answer([ox, oy, x, y, oz, z]: [f64; 6]) -> Answered {
     let whole = slab(1.0, 0.7, 1.0)?;
     let hit = whole.hit(&ray, Interval::AHEAD);
     let normal = hit.map(|hit| hit.normal.to_glam().to_array());
-    Ok(Answer::default()
+    Ok(Reply::default()
         .with("direction", flat(ray.direction()))
         .with("x_slab", both_hits(&slab(1.0, FAR, FAR)?, &ray))
         .with("y_slab", both_hits(&slab(FAR, 0.7, FAR)?, &ray))

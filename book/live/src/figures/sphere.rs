@@ -9,7 +9,7 @@ use a04_lab::protocol::{self, Quadratic};
 use measure::exact::DoubleDouble;
 
 use super::{Answered, both_hits, direction, flat, place, point};
-use crate::Answer;
+use crate::Reply;
 
 /// Numbers: a point of the ray near the sphere, the ray's angle, the distance of its
 /// origin from that point as a power of ten, in radii, and the centre of the sphere,
@@ -45,7 +45,7 @@ pub fn answer([x, y, angle, power, cx, cy]: [f64; 6]) -> Answered {
         (Some(found), Some(exact)) => (found - exact).abs(),
         _ => f64::NAN,
     };
-    Ok(Answer::default()
+    Ok(Reply::default()
         .with("protocol_error", [error(&theirs)])
         .with("our_error", [error(&ours)])
         .with("origin", place(ray.origin()))

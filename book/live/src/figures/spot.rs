@@ -5,7 +5,7 @@ use a05_lighting::{Light, SpotLight};
 use common::Color;
 
 use super::{Answered, direction, point};
-use crate::Answer;
+use crate::Reply;
 
 /// Numbers: the angle of the axis in radians, the half angle in degrees, and a point.
 /// The light is at the origin.
@@ -14,7 +14,7 @@ pub fn answer([axis, half_angle, x, y]: [f64; 4]) -> Answered {
     let light = SpotLight::new(Color::WHITE, position, axis, half_angle)?;
     let towards: Vector3 = point(x, y) - position;
     let cosine = towards.normalized().map_or(f64::NAN, |v| v.dot(axis));
-    Ok(Answer::default()
+    Ok(Reply::default()
         .with("lit", [f64::from(u8::from(light.illuminates(point(x, y))))])
         .with("cosine", [cosine])
         .with("cosine_of_half_angle", [libm::cos(half_angle)])

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 
-use live::{Answer, call};
+use live::{Reply, call};
 
 mod arithmetic;
 mod measuring;
@@ -10,7 +10,7 @@ mod omissions;
 mod sensitivity;
 mod sweeps;
 
-fn ask(request: &str, numbers: &[f64]) -> Answer {
+fn ask(request: &str, numbers: &[f64]) -> Reply {
     call(request, numbers).unwrap()
 }
 

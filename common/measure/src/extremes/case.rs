@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::bound::error;
-use super::{Both, Bound, Condition, Outcome};
+use super::{AgainstProtocol, Bound, Condition, Outcome};
 
 /// A row of the table: one quantity, computed by our code and by the protocol's formula, and
 /// compared with its exact value from elsewhere.
@@ -53,8 +53,9 @@ impl Case {
     }
 
     /// The outcomes of a row that counts wrong results.
-    pub fn of_wrong<E>(counts: Result<Both<usize>, E>) -> Self {
-        let outcomes = |counts: Both<usize>| [counts.ours, counts.theirs].map(Outcome::from);
+    pub fn of_wrong<E>(counts: Result<AgainstProtocol<usize>, E>) -> Self {
+        let outcomes =
+            |counts: AgainstProtocol<usize>| [counts.ours, counts.theirs].map(Outcome::from);
         let [ours, theirs] = counts.map_or([Outcome::Refused; 2], outcomes);
         Self::of(ours, theirs)
     }

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use super::row::{Measurement, Row};
+use super::recorded_point::{Measurement, RecordedPoint};
 use super::{Recording, figure, is_first, over_first};
 
 /// A point whose time, over that of the first method, has another sign in another recording.
@@ -80,7 +80,7 @@ impl<'t> Recording<'t> {
         }
         // Opposite signs first.
         turned.sort_by_key(|one| !one.is_opposite());
-        let is_kept = |row: &&Row| {
+        let is_kept = |row: &&RecordedPoint| {
             kept.iter().any(|kept| {
                 kept.is_at(row) && (kept.method == row.method || is_first(&other.rows, row))
             })

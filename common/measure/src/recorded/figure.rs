@@ -2,9 +2,9 @@
 
 use common::Median;
 
-use super::Row;
-use super::row::Measurement;
-use crate::sure::{Sure, mantissa};
+use super::RecordedPoint;
+use super::recorded_point::Measurement;
+use crate::rounded_interval::{RoundedInterval, mantissa};
 
 /// The name of one or two methods, such as `a04.sphere-far.stable-ours/protocol@512`.
 pub struct Name<'n> {
@@ -33,7 +33,7 @@ impl<'n> Name<'n> {
 pub fn quotient(quotient: Measurement) -> String {
     match noise(quotient) {
         Some(noise) => format!("no difference (within {noise})"),
-        None => sure(quotient),
+        None => rounded(quotient),
     }
 }
 
@@ -41,7 +41,7 @@ pub fn quotient(quotient: Measurement) -> String {
 pub fn times_as_long(here: Measurement, elsewhere: Option<Measurement>) -> String {
     let words = |quotient| match noise(quotient) {
         Some(noise) => format!("as long, within {noise}"),
-        None => format!("{} times as long", sure(quotient)),
+        None => format!("{} times as long", rounded(quotient)),
     };
     match elsewhere {
         Some(elsewhere) => format!("{} here, and {} elsewhere", words(here), words(elsewhere)),
@@ -53,24 +53,29 @@ fn noise(Measurement { value, low, high }: Measurement) -> Option<String> {
     Median { low, value, high }.noise()
 }
 
-fn sure(Measurement { value, low, high }: Measurement) -> String {
-    Sure::within(value, low, high).to_string().replace('-', "−")
+fn rounded(Measurement { value, low, high }: Measurement) -> String {
+    RoundedInterval::within(value, low, high)
+        .to_string()
+        .replace('-', "−")
 }
 
 /// An error, in percent if it is a fraction of decisions.
-pub fn error(point: &Row) -> String {
+pub fn error(point: &RecordedPoint) -> String {
     let error = point.error;
     if point.unit == "all = 1" {
         let percent = error.over(0.01);
         return match error.value {
-            0.0 => format!("below {} %", Sure::around(0.0, percent.high).half()),
+            0.0 => format!(
+                "below {} %",
+                RoundedInterval::around(0.0, percent.high).half()
+            ),
             1.0 => "all".to_owned(),
-            _ => format!("{} %", sure(percent)),
+            _ => format!("{} %", rounded(percent)),
         };
     }
     let (mantissa, power) = mantissa(error.value, error.low, error.high);
     if (-4..6).contains(&power) {
-        sure(error)
+        rounded(error)
     } else {
         // In the notation of the book's formulas.
         let mantissa = mantissa.to_string().replace('±', r"\pm");
@@ -79,6 +84,8 @@ pub fn error(point: &Row) -> String {
 }
 
 /// A slope.
-pub fn slope(point: &Row) -> String {
-    point.slope.map_or_else(|| "no power law".to_owned(), sure)
+pub fn slope(point: &RecordedPoint) -> String {
+    point
+        .slope
+        .map_or_else(|| "no power law".to_owned(), rounded)
 }

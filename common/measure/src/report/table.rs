@@ -8,7 +8,7 @@ use common::{Median, text};
 use crate::experiment::{Curve, Curves, Errors, Interval};
 use crate::front::Contender;
 use crate::report::Measured;
-use crate::sure::mantissa;
+use crate::rounded_interval::mantissa;
 
 impl Measured<'_> {
     /// The table for the terminal. `opposite` is the experiment with the opposite mistake, without

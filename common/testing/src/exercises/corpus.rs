@@ -1,6 +1,6 @@
 //! `ask_corpus`: how a student's shape answers the rays that broke ray tracers.
 
-use corpus::{CASES, Case, Question, Shape, judge};
+use corpus::{CASES, Case, Question, Shape, verdict};
 
 use super::exercise::Exercise;
 use super::findings::answer_of;
@@ -19,7 +19,7 @@ pub fn ask_corpus(name: &str, exercise: &Exercise<()>) -> String {
             continue;
         }
         let found = nearest(&case.question, &shapes, exercise);
-        let verdict = judge(&case, found);
+        let verdict = verdict(&case, found);
         asked += usize::from(verdict.is_counted());
         if verdict.is_right() {
             right += usize::from(verdict.is_counted());
@@ -73,9 +73,9 @@ fn nearest(question: &Question, shapes: &[Vec<f64>], exercise: &Exercise<()>) ->
 fn in_words(case: &Case, found: Option<f64>) -> String {
     let found = found.map_or("a miss".to_owned(), |t| format!("t = {t:?}"));
     let exact = match &case.answer {
-        corpus::Answer::Hit(hit) => format!("t = {:?}", hit.t),
-        corpus::Answer::Miss => "a miss".to_owned(),
-        corpus::Answer::Coplanar => "in the plane".to_owned(),
+        corpus::ExactAnswer::Hit(hit) => format!("t = {:?}", hit.t),
+        corpus::ExactAnswer::Miss => "a miss".to_owned(),
+        corpus::ExactAnswer::Coplanar => "in the plane".to_owned(),
     };
     let Question {
         id, says, source, ..

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::process::ExitCode;
 
 use common::{Error, Image};
-use page::{Answer, pixels, settings};
+use page::{Reply, pixels, settings};
 
 use super::Entry;
 use super::exercise::{Exercise, StudentPicture, own_settings};
@@ -72,15 +72,15 @@ fn keep(folder: StageFolder, name: &'static str, exercise: Exercise<()>) {
 /// Answers `EXERCISE PICTURE`, with the settings as numbers: the picture by the student's code, or
 /// nothing if the exercise does not draw it. `EXERCISE answers NAME` takes the length of an input and inputs, and gives
 /// the numbers of this name in the code's answers.
-fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
+fn call(request: &str, numbers: &[f64]) -> Result<Reply, String> {
     let (exercise, picture) = request.split_once(' ').unwrap_or_default();
     YOURS.with_borrow(|all| {
         let Some(yours) = all.iter().find(|yours| yours.name == exercise) else {
-            return Ok(Answer::default());
+            return Ok(Reply::default());
         };
         if let (Some(part), [length, inputs @ ..]) = (picture.strip_prefix("answers "), numbers) {
             let mut inputs = inputs.chunks((*length as usize).max(1));
-            return Ok(Answer::default().with("answers", (yours.ask)(part, &mut inputs)));
+            return Ok(Reply::default().with("answers", (yours.ask)(part, &mut inputs)));
         }
         let painted = (yours.paint)(picture, numbers).map_err(|error| error.to_string())?;
         Ok(painted.as_ref().map(pixels).unwrap_or_default())

@@ -1,4 +1,4 @@
-//! `Reach`: what a method costs to come down to an error that somebody wants.
+//! `TimeToError`: the time that a method takes to an error that somebody wants.
 
 use common::Median;
 
@@ -7,7 +7,7 @@ use crate::front::EQUAL_TIMES;
 
 /// The work and the time with which a method reaches an error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reach {
+pub struct TimeToError {
     /// The number of the curve.
     pub curve: usize,
     /// The parameter, such as the samples per pixel.
@@ -33,27 +33,32 @@ pub fn soonest(
     curves: &[Curve],
     error: f64,
     next: impl Fn(&str, f64) -> f64,
-) -> (Vec<Reach>, usize) {
-    let mut reaches = Vec::new();
+) -> (Vec<TimeToError>, usize) {
+    let mut times = Vec::new();
     for (curve, of) in curves.iter().enumerate() {
         let next = |parameter| next(of.method, parameter);
-        reaches.extend(reach(curve, &of.points, error, next));
+        times.extend(time_to_error(curve, &of.points, error, next));
     }
-    reaches.sort_by(|a, b| a.time.value.total_cmp(&b.time.value));
-    let first = reaches.first().copied();
-    reaches.sort_by_key(|one| first.is_some_and(|first| is_slower(one, &first)));
-    let may_be = |one: &&Reach| first.is_some_and(|first| !is_slower(one, &first));
-    let ties = reaches.iter().take_while(may_be).count();
-    (reaches, ties)
+    times.sort_by(|a, b| a.time.value.total_cmp(&b.time.value));
+    let first = times.first().copied();
+    times.sort_by_key(|one| first.is_some_and(|first| is_slower(one, &first)));
+    let may_be = |one: &&TimeToError| first.is_some_and(|first| !is_slower(one, &first));
+    let ties = times.iter().take_while(may_be).count();
+    (times, ties)
 }
 
-fn is_slower(one: &Reach, first: &Reach) -> bool {
+fn is_slower(one: &TimeToError, first: &TimeToError) -> bool {
     EQUAL_TIMES * first.time.high < one.time.low
 }
 
 /// Between two measured points the error falls as a power of the work, and of the time. The interval
 /// comes from the better ends of both intervals of each point, and from the worse ones.
-fn reach(curve: usize, points: &[Point], error: f64, next: impl Fn(f64) -> f64) -> Option<Reach> {
+fn time_to_error(
+    curve: usize,
+    points: &[Point],
+    error: f64,
+    next: impl Fn(f64) -> f64,
+) -> Option<TimeToError> {
     let along = |place: fn(&Point) -> Place| first_below(points.iter().map(place), error, &next);
     let middle = along(|point| Place {
         parameter: point.parameter,
@@ -70,7 +75,7 @@ fn reach(curve: usize, points: &[Point], error: f64, next: impl Fn(f64) -> f64) 
         error: point.errors.interval.high,
         seconds: point.times.seconds.high,
     });
-    Some(Reach {
+    Some(TimeToError {
         curve,
         parameter: middle.parameter,
         time: Median {
@@ -153,14 +158,14 @@ mod tests {
         let direct = timed(&[(1.0, 1.0), (4.0, 0.25), (16.0, 0.0625)], 0.0);
         let never = timed(&[(1.0, 1.0), (2.0, 0.5)], 0.0);
         let curves = [root, direct, never];
-        let (reaches, ties) = soonest(&curves, 0.125, any);
-        assert_eq!((reaches.len(), ties), (2, 1));
-        for (reach, (curve, steps)) in reaches.iter().zip([(1, 8.0), (0, 64.0)]) {
-            assert_eq!(reach.curve, curve);
-            assert!((reach.parameter - steps).abs() < 1e-9, "{reach:?}");
+        let (times, ties) = soonest(&curves, 0.125, any);
+        assert_eq!((times.len(), ties), (2, 1));
+        for (found, (curve, steps)) in times.iter().zip([(1, 8.0), (0, 64.0)]) {
+            assert_eq!(found.curve, curve);
+            assert!((found.parameter - steps).abs() < 1e-9, "{found:?}");
             assert!(
-                (reach.time.value - steps / 1000.0).abs() < 1e-12,
-                "{reach:?}"
+                (found.time.value - steps / 1000.0).abs() < 1e-12,
+                "{found:?}"
             );
         }
         assert_eq!(soonest(&curves, 1e-9, any), (Vec::new(), 0));
@@ -179,9 +184,9 @@ mod tests {
             (0.19, square, 36.0),
             (0.07, |_| 1e3, 256.0),
         ] {
-            let reach = of(error, next);
-            assert_eq!(reach.parameter, steps);
-            assert!((reach.time.value - steps / 1000.0).abs() < 1e-12);
+            let found = of(error, next);
+            assert_eq!(found.parameter, steps);
+            assert!((found.time.value - steps / 1000.0).abs() < 1e-12);
         }
     }
 

@@ -1,4 +1,4 @@
-//! `Sure`: a measured number beside half of its interval of 95 %, without the digits that nobody knows.
+//! `RoundedInterval`: a measured number beside half of its interval of 95 %, without the digits that nobody knows.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ const MAX_DIGITS: i32 = 3;
 
 /// A number and half of its interval, `0.87 ± 0.02`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sure {
+pub struct RoundedInterval {
     value: f64,
     /// With one significant digit, rounded up.
     half: f64,
@@ -15,7 +15,7 @@ pub struct Sure {
     places: usize,
 }
 
-impl Sure {
+impl RoundedInterval {
     /// A number with an interval of this half width around it. An interval that is so narrow that the number
     /// would have more than three digits is shown as wide as the last of them.
     pub fn around(value: f64, half_width: f64) -> Self {
@@ -57,13 +57,13 @@ impl Sure {
 }
 
 /// A number in an interval as a mantissa and a power of ten; 0 has the power 0.
-pub fn mantissa(value: f64, low: f64, high: f64) -> (Sure, i32) {
+pub fn mantissa(value: f64, low: f64, high: f64) -> (RoundedInterval, i32) {
     if value == 0.0 {
-        return (Sure::within(value, low, high), 0);
+        return (RoundedInterval::within(value, low, high), 0);
     }
     let power = power(value.abs());
     let [value, low, high] = [value, low, high].map(|end| end / libm::pow(10.0, power.into()));
-    (Sure::within(value, low, high), power)
+    (RoundedInterval::within(value, low, high), power)
 }
 
 /// The power of ten of the first digit.
@@ -71,7 +71,7 @@ fn power(number: f64) -> i32 {
     libm::floor(libm::log10(number)) as i32
 }
 
-impl fmt::Display for Sure {
+impl fmt::Display for RoundedInterval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
             value,
@@ -98,11 +98,11 @@ mod tests {
             (1234.0, 57.0, "1230 ± 60"),
             (0.0, 0.0, "0 ± 0"),
         ] {
-            assert_eq!(Sure::around(value, half).to_string(), expected);
+            assert_eq!(RoundedInterval::around(value, half).to_string(), expected);
         }
-        let sides = Sure::within(2.0, 1.9, 2.4);
+        let sides = RoundedInterval::within(2.0, 1.9, 2.4);
         assert_eq!(sides.to_string(), "2.0 ± 0.4");
-        let (sure, power) = mantissa(2.5e-11, 2.4e-11, 2.6e-11);
-        assert_eq!((sure.to_string().as_str(), power), ("2.5 ± 0.1", -11));
+        let (rounded, power) = mantissa(2.5e-11, 2.4e-11, 2.6e-11);
+        assert_eq!((rounded.to_string().as_str(), power), ("2.5 ± 0.1", -11));
     }
 }

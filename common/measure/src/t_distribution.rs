@@ -1,4 +1,4 @@
-//! Student's t: how much wider an interval of 95 % is that comes from few points.
+//! The t distribution, by W. S. Gosset, called Student: how much wider an interval of 95 % is that comes from few points.
 
 /// The factors for 1 to 10 degrees of freedom (M. Abramowitz and I. A. Stegun, Handbook of
 /// Mathematical Functions, 1964, table 26.10).

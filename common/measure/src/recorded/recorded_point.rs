@@ -1,10 +1,10 @@
-//! `Row`: a line of a recording.
+//! `RecordedPoint`: a line of a recording.
 
 use std::cmp::Ordering;
 
 /// A point of a curve.
 #[derive(Debug)]
-pub struct Row<'t> {
+pub struct RecordedPoint<'t> {
     /// With its stage, such as `a04.sphere-far`.
     pub experiment: &'t str,
     /// The name of its method.
@@ -73,7 +73,7 @@ impl Measurement {
     }
 }
 
-impl<'t> Row<'t> {
+impl<'t> RecordedPoint<'t> {
     /// A row as [`csv`](crate::report::csv) writes it, with method and unit in quotes.
     pub fn parse(line: &'t str) -> Option<Self> {
         let parts: Vec<_> = line.split('"').collect();

@@ -1,8 +1,8 @@
-//! `Answer`: numbers by name, a text and bytes, for a page.
+//! `Reply`: numbers by name, a text and bytes, for a page.
 
-/// The answer to a request of a page.
+/// The reply to a request of a page.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Answer {
+pub struct Reply {
     /// Lists of numbers, each with its name.
     pub numbers: Vec<(&'static str, Vec<f64>)>,
     /// A text for the reader.
@@ -11,8 +11,8 @@ pub struct Answer {
     pub pixels: Vec<u8>,
 }
 
-impl Answer {
-    /// An answer of a text.
+impl Reply {
+    /// A reply of a text.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {
         Self {
@@ -21,14 +21,14 @@ impl Answer {
         }
     }
 
-    /// The same answer with one more list of numbers.
+    /// The same reply with one more list of numbers.
     #[must_use]
     pub fn with(mut self, name: &'static str, numbers: impl IntoIterator<Item = f64>) -> Self {
         self.numbers.push((name, numbers.into_iter().collect()));
         self
     }
 
-    /// The same answer with a table: for each row its numbers, by the names of their columns.
+    /// The same reply with a table: for each row its numbers, by the names of their columns.
     #[must_use]
     pub fn with_rows<const N: usize>(
         mut self,
