@@ -123,7 +123,7 @@ impl<'a> Submission<'a> {
             match &file.content {
                 _ if is_exercise(file) => {}
                 Content::Problem(problem) => {
-                    others.push(format!("{} ({problem})", file.path_text()))
+                    others.push(format!("{} ({problem})", file.path_text()));
                 }
                 _ if has_others && !may_be_rust(file.name()) => {}
                 _ if is_programs(file) => {}
