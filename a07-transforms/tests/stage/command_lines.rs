@@ -40,6 +40,7 @@ show => <SCENE> | tip: the scenes are sphere-transformation, box-transformations
 render => <SCENES>... | tip: the scenes are sphere-transformation
 explain --pixel 1,1 => <SCENE> | tip: the scenes are sphere-transformation
 explain disc => --pixel <X,Y>
+list disc => argument 'disc' found
 dsc => unrecognized subcommand 'dsc' | tip: the scenes are sphere-transformation, box-transformations, disc
 rendr disc => similar subcommands exist: 'report', 'render'
 other.toml => cannot open other.toml: there is no such file
@@ -91,6 +92,7 @@ fn what_is_mistyped_is_said_with_what_is_right() {
         for wrong in ["as a value", "--watch'", "workbook"] {
             assert!(!said.contains(wrong), "{line}: {said}");
         }
+        assert!(!line.starts_with("list") || !said.contains("tip"), "{said}");
         assert!(matches!(code, Some(1 | 2)), "{line}: {code:?}");
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "{line}");
     }

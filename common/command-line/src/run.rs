@@ -87,8 +87,13 @@ fn tip(stage: &Stage, error: &clap::Error) -> Option<String> {
         let names: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
         return Some(format!("the scenes are {}", names.join(", ")));
     }
+    let takes_one = match error.get(ContextKind::Usage) {
+        Some(ContextValue::StyledStr(usage)) => usage.to_string().ends_with(" <SCENE>"),
+        _ => false,
+    };
     let more = word(error, ContextKind::InvalidArg).filter(|word| names_scene(stage, word));
-    more.map(|_| "this command takes one scene; `render` takes several".to_owned())
+    more.filter(|_| takes_one)
+        .map(|_| "this command takes one scene; `render` takes several".to_owned())
 }
 
 /// Prints the help, or the mistake in a command line, and returns the exit code.

@@ -39,14 +39,16 @@ pub fn mistake(text: &str, error: &ParserError) -> Error {
     // The parser guesses these words, of which a scene file takes none.
     let is_guess = said.ends_with("expected `nan`") || said.ends_with("expected `inf`");
     let message = if is_guess { "invalid value" } else { &said };
-    let said = hint(message, line).map_or_else(|| text::visible(message), str::to_owned);
+    let said =
+        hint(message, line, at - line_start).map_or_else(|| text::visible(message), str::to_owned);
     Error::new(at, format!("{said}: {}", text::name(line.trim())))
 }
 
 /// What is right instead of what was probably meant.
-fn hint(message: &str, line: &str) -> Option<&'static str> {
-    // Of a list over several lines, a line has no key.
-    let value = line.split_once('=').map_or(line, |(_, value)| value).trim();
+fn hint(message: &str, line: &str, at: usize) -> Option<&'static str> {
+    // The value in which the mistake is. Of a list over several lines, a line has no key.
+    let before = line.get(..at).unwrap_or(line).rfind('=');
+    let value = before.map_or(line, |equals| &line[equals + 1..]).trim();
     let begins_with = |letters: &str| value.starts_with(|first| letters.contains(first));
     let has = |marks: &[&str]| marks.iter().any(|mark| line.contains(mark));
     if message.contains("recur") {
@@ -81,7 +83,7 @@ fn hint(message: &str, line: &str) -> Option<&'static str> {
         && (message.contains("newline") || message.contains("unclosed"))
     {
         Some("a list has a ] for each [, and nothing stands behind it in its line")
-    } else if line.contains('{') {
+    } else if value.starts_with('{') || message.contains("inline table") {
         Some(
             "braces are such as { scale = [1, 2, 1] }, for a step of a transform; a list is such as [0, 3, 9]",
         )
