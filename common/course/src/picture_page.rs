@@ -1,4 +1,4 @@
-//! A page with all pictures of a class, by sheets and students.
+//! A page with all pictures of a class, by sheets and students, and the error of each program against its run time.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -14,6 +14,7 @@ body { font-family: sans-serif; margin: 1rem }
 figure { display: inline-block; margin: 0 .5rem .5rem 0; vertical-align: top }
 figcaption { font-size: .8rem; color: #555; max-width: 16rem; overflow-wrap: anywhere }
 img { height: 12rem }
+img[src$=svg] { height: auto; max-width: 100% }
 </style>
 <h1>Pictures of the class</h1>
 ";

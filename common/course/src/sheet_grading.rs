@@ -9,7 +9,7 @@ use judge::pictures::{
     Drawn, Facts, MARKED_EXTENSION, RequestedPicture, Run, Sheet, ask_facts, last_words, no_picture,
 };
 use learn::files::{self, with_path};
-use learn::sheet::{find, read_all};
+use learn::sheet::{diagram, find, read_all};
 
 use crate::collected::Student;
 use crate::grading_folder::GradingFolder;
@@ -180,6 +180,11 @@ fn judge_program(
         if marked.exists() {
             files.push(marked);
         }
+    }
+    if let Some(svg) = diagram(&judgement) {
+        let file = kept.join("error-against-run-time.svg");
+        fs::write(&file, svg).map_err(with_path(&file))?;
+        files.push(file);
     }
     Ok(Outcome {
         state,

@@ -15,14 +15,17 @@ mod quantity;
 mod report;
 mod run;
 mod sheet;
+mod theory;
 mod values;
 
 pub use fact::Fact;
+pub use fitted_slope::Axis;
 pub use judgement::{Drawn, Facts, Judgement, State, ask_facts};
 pub use last_words::{last_words, no_picture};
 pub use marked_copy::MARKED_EXTENSION;
 pub use run::Run;
 pub use sheet::{RequestedPicture, Sheet};
+pub use theory::{PixelErrors, Precision, Theory};
 
 /// The names of the sheets, in the order in which they are set.
 pub const NAMES: [&str; 7] = [

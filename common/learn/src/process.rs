@@ -6,14 +6,15 @@ use std::os::unix::process::CommandExt;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use std::{io, thread};
 
 #[cfg(unix)]
 use rustix::process::{Pid, Signal, kill_process_group};
 
-/// Time between two looks at a running program.
-const PAUSE: Duration = Duration::from_millis(10);
+/// The times between two looks at a running program: a hundredth of its time so far, which is then known to 1 %.
+const LEAST_PAUSE: Duration = Duration::from_micros(200);
+const MOST_PAUSE: Duration = Duration::from_millis(10);
 
 /// The most memory of a student's program. Windows and macOS do not hold this limit.
 const MAX_KIB: u32 = 2 << 20;
@@ -59,6 +60,7 @@ fn end_group(id: u32) {
 /// Runs a program without input until it ends, or until `goes_on` is false: then there is no
 /// status. All that it has started ends with it. Its pipes are closed on this side.
 pub fn run(command: Command, goes_on: &mut dyn FnMut() -> bool) -> io::Result<Option<ExitStatus>> {
+    let start = Instant::now();
     let mut child = begin(command)?;
     loop {
         if let Some(status) = status(&mut child)? {
@@ -68,7 +70,7 @@ pub fn run(command: Command, goes_on: &mut dyn FnMut() -> bool) -> io::Result<Op
             end(&mut child)?;
             return Ok(None);
         }
-        thread::sleep(PAUSE);
+        thread::sleep((start.elapsed() / 100).clamp(LEAST_PAUSE, MOST_PAUSE));
     }
 }
 

@@ -1,23 +1,35 @@
 //! `sheet`: judges the student's own program by the pictures that it draws for an open sheet.
 
+mod history;
 mod own_program;
+mod precision;
 mod speed_up;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 
 use clap::ArgGroup;
-use common::text;
+use common::{Median, atomic_file, text};
 use judge::pictures::{Facts, Judgement, NAMES, Sheet, ask_facts};
 
 use crate::build::{Build, build_own};
 use crate::files::{self, MANIFEST, with_path};
 use crate::screen::Screen;
 use crate::{print, told};
+use history::History;
 pub use own_program::OwnProgram;
+use precision::Report;
 
 /// The folder of the sheets.
 const SHEETS: &str = "common/judge/sheets";
+
+/// The rounds of a report: as many as there is time for, in seconds.
+const MIN_ROUNDS: usize = 3;
+const MAX_ROUNDS: usize = 9;
+const ENOUGH: f64 = 30.0;
+
+/// The earlier reports that a diagram shows.
+const SHOWN: usize = 5;
 
 const NONE: &str = "this workbook has no sheets; later stages bring them";
 
@@ -35,6 +47,9 @@ pub struct Command {
     /// Asks all facts, also after one that fails
     #[arg(long, requires = "judged")]
     all: bool,
+    /// Draws error against run time of your program, in turns, and compares it with theory and your earlier reports
+    #[arg(long, requires = "judged", conflicts_with = "all")]
+    report: bool,
 }
 
 impl Command {
@@ -49,22 +64,24 @@ impl Command {
             };
         };
         let sheet = find(&sheets, name)?;
-        let facts = if self.all {
-            Facts::All
-        } else {
-            Facts::UntilOneFails
-        };
-        match (&self.folder, &self.program) {
-            (None, None) => Ok(Screen::new().wrap(&about(sheet))),
+        let (folder, words) = match (&self.folder, &self.program) {
+            (None, None) => return Ok(Screen::new().wrap(&about(sheet))),
             (Some(folder), None) => match built(sheet, folder)? {
-                Some(executable) => judge_own_program(sheet, folder, &[executable], facts),
-                None => Ok(String::new()),
+                Some(executable) => (&**folder, vec![executable]),
+                None => return Ok(String::new()),
             },
             (folder, Some(words)) => {
-                let words: Vec<_> = words.split_whitespace().map(str::to_owned).collect();
-                let folder = folder.as_deref().unwrap_or(Path::new("."));
-                judge_own_program(sheet, folder, &words, facts)
+                let words = words.split_whitespace().map(str::to_owned).collect();
+                (folder.as_deref().unwrap_or(Path::new(".")), words)
             }
+        };
+        let program = OwnProgram::new(sheet, folder, &words)?;
+        if self.report {
+            program.report(sheet)
+        } else if self.all {
+            judge_own_program(sheet, &program, Facts::All)
+        } else {
+            judge_own_program(sheet, &program, Facts::UntilOneFails)
         }
     }
 }
@@ -188,33 +205,15 @@ fn built(sheet: &Sheet, folder: &Path) -> Result<Option<String>, String> {
 }
 
 /// Asks the pictures of a program the facts, and prints what they say. The last words count the facts.
-fn judge_own_program(
-    sheet: &Sheet,
-    folder: &Path,
-    words: &[String],
-    facts: Facts,
-) -> Result<String, String> {
-    let [executable, arguments @ ..] = words else {
-        return Err(
-            "--program needs the words that start it, such as \"python3 my.py\"".to_owned(),
-        );
-    };
-    let screen = Screen::new();
-    let pictures = format!("out/sheets/{}", sheet.name);
-    let program = OwnProgram {
-        executable: executable.into(),
-        arguments: arguments.to_vec(),
-        folder: folder.to_owned(),
-        pictures: files::shortest(&pictures),
-        environment: Vec::new(),
-    };
+fn judge_own_program(sheet: &Sheet, program: &OwnProgram, facts: Facts) -> Result<String, String> {
     let judgement = program.judge(sheet, facts)?;
-    print(&screen.wrap(&judgement.report()))?;
+    print(&Screen::new().wrap(&judgement.report()))?;
     let words = format!(
-        "{}: {} of {} facts hold; the pictures are in {pictures}",
+        "{}: {} of {} facts hold; the pictures are in {}",
         sheet.name,
         judgement.passed(),
         sheet.facts.len(),
+        text::path(&program.pictures),
     );
     if judgement.first_failure().is_some() {
         return Err(words);
@@ -227,13 +226,76 @@ fn judge_own_program(
     Ok(words)
 }
 
+/// The diagram of a program that is judged already, as SVG, with the time of one run for each number of samples. None if
+/// its pictures lack an error.
+#[must_use]
+pub fn diagram(judgement: &Judgement) -> Option<String> {
+    let precision = judgement.precision().ok()?;
+    let seconds: Vec<_> = precision.points.iter().map(|point| point.seconds).collect();
+    let seconds = seconds.into_iter().map(|seconds| Median::of(vec![seconds]));
+    let report = Report::new(judgement.sheet, precision, seconds).ok()?;
+    report.diagrams(&[]).into_iter().next().map(|(_, svg)| svg)
+}
+
 impl OwnProgram {
+    /// The program in a folder that these words start.
+    fn new(sheet: &Sheet, folder: &Path, words: &[String]) -> Result<Self, String> {
+        let [executable, arguments @ ..] = words else {
+            return Err(
+                "--program needs the words that start it, such as \"python3 my.py\"".to_owned(),
+            );
+        };
+        Ok(Self {
+            executable: executable.into(),
+            arguments: arguments.to_vec(),
+            folder: folder.to_owned(),
+            pictures: files::shortest(&format!("out/sheets/{}", sheet.name)),
+            environment: Vec::new(),
+        })
+    }
+
     /// Asks the program's pictures the facts of a sheet.
     pub fn judge<'a>(&self, sheet: &'a Sheet, facts: Facts) -> Result<Judgement<'a>, String> {
         fs::create_dir_all(&self.pictures).map_err(with_path(&self.pictures))?;
         Ok(ask_facts(sheet, facts, &mut |picture, run| {
             self.draw(picture, run, &mut told(&format!(": {}", run.words())))
         }))
+    }
+
+    /// Draws the pictures of which theory knows the error, in rounds, and prints error against run time. The last words are
+    /// the paths of the diagrams.
+    fn report(&self, sheet: &Sheet) -> Result<String, String> {
+        let judgement = self.judge(sheet, Facts::WithTheory)?;
+        let precision = judgement.precision()?;
+        // The first runs have filled caches, and say how many rounds there is time for.
+        let round: f64 = precision.points.iter().map(|point| point.seconds).sum();
+        let rounds = ((ENOUGH / round) as usize).clamp(MIN_ROUNDS, MAX_ROUNDS);
+        if round > 1.0 {
+            eprintln!("{rounds} rounds of {round:.0} s");
+        }
+        let mut seconds = vec![Vec::new(); precision.points.len()];
+        for _ in 0..rounds {
+            for (seconds, run) in seconds.iter_mut().zip(precision.runs) {
+                let drawn = self.draw(precision.picture, run, &mut |_, _| true)?;
+                seconds.push(drawn.seconds);
+            }
+        }
+        let report = Report::new(sheet, precision, seconds.into_iter().map(Median::of))?;
+
+        let program = text::path(&absolute(&self.folder).unwrap_or(self.folder.clone()));
+        let file = self.pictures.join("reports.csv");
+        let history = History::read(&file, &program)?;
+        let last = history.earlier.len().saturating_sub(SHOWN);
+        let words = report.words(history.earlier.last());
+        print(&Screen::new().wrap(&words))?;
+        let mut paths = Vec::new();
+        for (ending, svg) in report.diagrams(&history.earlier[last..]) {
+            let path = self.pictures.join(format!("report.{ending}"));
+            atomic_file::write(&path, svg.as_bytes()).map_err(|error| error.to_string())?;
+            paths.push(text::path(&path));
+        }
+        history.add(&file, &program, &report)?;
+        Ok(format!("{}: {}", sheet.name, paths.join(", ")))
     }
 }
 

@@ -7,7 +7,7 @@ use common::{Median, text};
 
 use crate::experiment::{Axis, Curve, Curves, Interval, Point};
 use crate::report::Measured;
-use diagram::{Diagram, Mark};
+pub use diagram::{Diagram, Line, Mark};
 
 /// A plot as a file.
 pub struct Plot {
@@ -49,14 +49,15 @@ pub fn plots(measured: &Measured, opposite: Option<&Measured>) -> [Plot; 2] {
         Some(opposite) => of_mistakes(measured, opposite),
         None => by_time(measured),
     };
+    let names: Vec<_> = measured.curves.iter().map(|curve| curve.method).collect();
     [
         Plot {
             ending: ".svg",
-            svg: by_work(measured).draw(&measured.curves),
+            svg: by_work(measured).draw(&names),
         },
         Plot {
             ending: "-time.svg",
-            svg: against_time.draw(&measured.curves),
+            svg: against_time.draw(&names),
         },
     ]
 }
@@ -79,6 +80,7 @@ fn by_work(measured: &Measured) -> Diagram {
         is_wide: true,
         has_curves: true,
         marks: marks.collect(),
+        lines: Vec::new(),
     }
 }
 
@@ -104,6 +106,7 @@ fn by_time(measured: &Measured) -> Diagram {
         is_wide: e.against == Axis::Parameter && e.curves_are == Curves::Methods,
         has_curves: true,
         marks: marks.collect(),
+        lines: Vec::new(),
     }
 }
 
@@ -134,6 +137,7 @@ fn of_mistakes(measured: &Measured, opposite: &Measured) -> Diagram {
         is_wide: false,
         has_curves: false,
         marks,
+        lines: Vec::new(),
     }
 }
 

@@ -22,9 +22,10 @@ pub struct Fact {
     pub value: f64,
     /// The formula of the right value.
     pub formula: String,
-    pub(crate) within: f64,
-    /// Whether lower values are right, too.
-    pub(crate) or_less: bool,
+    /// How far from it values are right, too.
+    pub within: f64,
+    /// Whether all lower values are.
+    pub or_less: bool,
     /// Why this tolerance.
     pub(crate) because: String,
     pub(crate) hint: String,

@@ -6,11 +6,12 @@ use std::path::PathBuf;
 use common::{Image, picture_file, text};
 
 use crate::pictures::fact::Fact;
-use crate::pictures::fitted_slope::{FittedSlope, Point};
+use crate::pictures::fitted_slope::{Point, fitted_slope};
 use crate::pictures::quantity::{Exact, Quantity};
 use crate::pictures::run::Run;
 use crate::pictures::sheet::{RequestedPicture, Sheet};
-use crate::pictures::values::{Region, Values, different, growth};
+use crate::pictures::theory::{PixelErrors, Precision};
+use crate::pictures::values::{Region, Values, different, growth, root_mean_square};
 
 /// A picture that the program has written.
 #[derive(Debug)]
@@ -28,6 +29,8 @@ pub enum Facts {
     All,
     /// Those up to the first that fails, so that the answer comes soon.
     UntilOneFails,
+    /// The one of which theory knows the error at each number of samples.
+    WithTheory,
 }
 
 /// What a picture says about a fact.
@@ -49,9 +52,6 @@ pub struct MeasuredValue {
     pub(crate) value: f64,
     /// Where pixels differ.
     pub(crate) different: Option<Region>,
-    /// The errors behind a slope.
-    pub(crate) points: Vec<Point>,
-    pub(crate) slope: Option<FittedSlope>,
 }
 
 /// A picture that is opened.
@@ -87,11 +87,16 @@ pub fn ask_facts<'a>(
         pictures: Pictures::new(),
     };
     for fact in &sheet.facts {
-        let state = if facts == Facts::UntilOneFails && judgement.first_failure().is_some() {
-            State::NotAsked
-        } else {
+        let is_asked = match facts {
+            Facts::All => true,
+            Facts::UntilOneFails => judgement.first_failure().is_none(),
+            Facts::WithTheory => fact.theory().is_some(),
+        };
+        let state = if is_asked {
             judgement.draw(fact, draw);
             judgement.ask(fact)
+        } else {
+            State::NotAsked
         };
         judgement.states.push(state);
     }
@@ -199,6 +204,66 @@ impl Judgement<'_> {
         })
     }
 
+    /// The differences of a run's picture from what is exact.
+    fn errors(
+        &self,
+        fact: &Fact,
+        run: &Run,
+        region: Region,
+        exact: &Exact,
+    ) -> Result<Vec<f64>, String> {
+        let values = self.values(fact, run)?;
+        Ok(match exact {
+            Exact::Number(number) => values.errors(region, |_| *number),
+            Exact::Columns(columns) => {
+                values.errors(region, |(x, _)| columns[(x - region.x) as usize])
+            }
+            Exact::Run(other) => {
+                let other = self.values(fact, other)?;
+                values.errors(region, |pixel| other.at(pixel))
+            }
+        })
+    }
+
+    /// The errors of the sheet's pictures at each number of samples, or why there are none.
+    pub fn precision(&self) -> Result<Precision<'_>, String> {
+        let none = || {
+            let name = &self.sheet.name;
+            format!(
+                "{name} has no error that falls with samples; without --report, its facts are asked"
+            )
+        };
+        let fact = self.sheet.fact_with_theory().ok_or_else(none)?;
+        let Quantity::Slope {
+            region,
+            exact,
+            axis,
+            runs,
+            theory: Some(theory),
+        } = &fact.quantity
+        else {
+            return Err(none());
+        };
+        let mut points = Vec::new();
+        for run in runs {
+            points.push(PixelErrors {
+                samples: run.samples,
+                seconds: self.opened(run)?.drawn.seconds,
+                errors: self.errors(fact, run, *region, exact)?,
+            });
+        }
+        let picture = self.sheet.picture(&fact.run.scene).ok_or_else(none)?;
+        Ok(Precision {
+            fact,
+            theory,
+            axis: *axis,
+            picture,
+            runs,
+            width: region.width as usize,
+            points,
+        })
+    }
+
     fn measure(&self, fact: &Fact) -> Result<MeasuredValue, String> {
         // The first picture that is missing is the reason, whichever picture is measured first.
         for run in fact.runs() {
@@ -206,17 +271,8 @@ impl Judgement<'_> {
         }
         let values = |run: &Run| self.values(fact, run);
         let spread = |run: &Run, region: Region, exact: &Exact| {
-            let values = values(run)?;
-            Ok::<_, String>(match exact {
-                Exact::Number(number) => values.spread(region, |_| *number),
-                Exact::Columns(columns) => {
-                    values.spread(region, |(x, _)| columns[(x - region.x) as usize])
-                }
-                Exact::Run(other) => {
-                    let other = self.values(fact, other)?;
-                    values.spread(region, |pixel| other.at(pixel))
-                }
-            })
+            let errors = self.errors(fact, run, region, exact)?;
+            Ok::<_, String>(root_mean_square(&errors))
         };
         let mut measured = MeasuredValue::default();
         let of_fact = values(&fact.run)?;
@@ -247,17 +303,16 @@ impl Judgement<'_> {
                 exact,
                 axis,
                 runs,
+                ..
             } => {
+                let mut points = Vec::new();
                 for run in runs {
-                    measured.points.push(Point {
+                    points.push(Point {
                         samples: run.samples,
-                        seconds: self.opened(run)?.drawn.seconds,
                         error: spread(run, *region, exact)?,
                     });
                 }
-                let slope = FittedSlope::through(&measured.points, *axis)?;
-                measured.slope = Some(slope);
-                slope.slope
+                fitted_slope(&points, *axis)?
             }
         };
         Ok(measured)

@@ -3,6 +3,7 @@
 use crate::pictures::fitted_slope::Axis;
 use crate::pictures::line::Line;
 use crate::pictures::run::Run;
+use crate::pictures::theory::Theory;
 use crate::pictures::values::Region;
 
 /// What is measured.
@@ -39,6 +40,7 @@ pub enum Quantity {
         exact: Exact,
         axis: Axis,
         runs: Vec<Run>,
+        theory: Option<Theory>,
     },
 }
 

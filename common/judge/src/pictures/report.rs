@@ -1,4 +1,4 @@
-//! What a student reads: the first fact that fails, all facts, and errors beside run times.
+//! What a student reads: the first fact that fails, and all facts.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use common::text;
 
 use crate::pictures::fact::Fact;
 use crate::pictures::fitted_slope::Axis;
-use crate::pictures::judgement::{Judgement, MeasuredValue, State};
+use crate::pictures::judgement::{Judgement, State};
 use crate::pictures::line::Line;
 use crate::pictures::marked_copy::mark;
 use crate::pictures::quantity::{Exact, Quantity};
@@ -26,13 +26,6 @@ impl Judgement<'_> {
             report.push('\n');
         }
         report += &self.list();
-        for (fact, state) in self.sheet.facts.iter().zip(&self.states) {
-            if let State::Right(measured) | State::Wrong(measured) = state
-                && let Some(table) = table(fact, measured)
-            {
-                report.extend(["\n", &table]);
-            }
-        }
         report
     }
 
@@ -80,6 +73,12 @@ impl Judgement<'_> {
         let (within, because) = (text::number(fact.within), &fact.because);
         add("within", &format!("{within}, because {because}"));
         add("hint", &fact.hint);
+        if fact.theory().is_some() {
+            add(
+                "errors",
+                "`--report` shows them, beside theory and run time",
+            );
+        }
         add("picture", &text::path(&opened.drawn.file));
         match mark(self, fact, measured) {
             Ok(Some(marked)) => {
@@ -202,23 +201,4 @@ fn in_picture(fact: &Fact, value: f64) -> String {
         }
         _ => String::new(),
     }
-}
-
-/// The errors of a slope beside samples and run time.
-fn table(fact: &Fact, measured: &MeasuredValue) -> Option<String> {
-    let slope = measured.slope?;
-    let mut table = format!("{}: error against samples and run time\n", fact.name);
-    table += "   samples   seconds     error\n";
-    for point in &measured.points {
-        let (samples, seconds) = (point.samples, point.seconds);
-        let _ = writeln!(table, "{samples:>10}{seconds:>10.2}{:>10.5}", point.error);
-    }
-    let (low, high) = (slope.slope - slope.within, slope.slope + slope.within);
-    let theory = text::number(fact.value);
-    let slope = slope.slope;
-    let _ = writeln!(
-        table,
-        "slope {slope:.3}, with 95 % between {low:.3} and {high:.3}; theory: {theory}"
-    );
-    Some(table)
 }

@@ -111,14 +111,10 @@ impl Values<'_> {
         work.into_values().fold(0.0, f64::max) / all
     }
 
-    /// The root mean square difference from exact values.
-    pub fn spread(&self, region: Region, exact: impl Fn((u32, u32)) -> f64) -> f64 {
-        let mut sum = 0.0;
-        for pixel in region.pixels() {
-            let error = self.at(pixel) - exact(pixel);
-            sum += error * error;
-        }
-        (sum / region.pixels().count() as f64).sqrt()
+    /// The differences from exact values, row by row.
+    pub fn errors(&self, region: Region, exact: impl Fn((u32, u32)) -> f64) -> Vec<f64> {
+        let pixels = region.pixels();
+        pixels.map(|pixel| self.at(pixel) - exact(pixel)).collect()
     }
 }
 
@@ -143,6 +139,12 @@ pub fn different(a: &Image, b: &Image) -> (usize, Option<Region>) {
         height: high.1 - low.1 + 1,
     });
     (count, around)
+}
+
+/// The root mean square of errors.
+pub fn root_mean_square(errors: &[f64]) -> f64 {
+    let squares = errors.iter().map(|error| error * error);
+    (squares.sum::<f64>() / errors.len() as f64).sqrt()
 }
 
 /// The greatest difference between the steps from one mean to the next.

@@ -6,7 +6,7 @@
 use common::svg::{Svg, color};
 
 use super::axis::{AxisLabel, LogAxis};
-use crate::experiment::{Curve, Interval};
+use crate::experiment::Interval;
 
 /// Width and height of a plot, two of which stand side by side in the book, and of a wide one.
 const NARROW: [f64; 2] = [138.0, 178.0];
@@ -34,27 +34,52 @@ const BETWEEN_NUMBERS: [f64; 2] = [30.0, 13.0];
 
 /// A plot, and the words around it.
 pub struct Diagram {
+    /// The words above it.
     pub title: String,
     /// Words above the right end of the plot.
     pub remark: String,
-    /// The names of the axes.
+    /// The name of the horizontal axis.
     pub x: String,
+    /// The name of the vertical axis.
     pub y: String,
     /// Whether it is as wide as the page, or half as wide.
     pub is_wide: bool,
     /// Whether a line joins the marks of a curve.
     pub has_curves: bool,
+    /// What is measured.
     pub marks: Vec<Mark>,
+    /// What is drawn behind the marks, to compare with.
+    pub lines: Vec<Line>,
 }
 
 /// A point, with its interval in both directions.
 pub struct Mark {
     /// The number of its curve.
     pub curve: usize,
+    /// The horizontal coordinate.
     pub x: f64,
+    /// Its interval.
     pub x_ends: Interval,
+    /// The vertical coordinate.
     pub y: f64,
+    /// Its interval.
     pub y_ends: Interval,
+}
+
+/// A thin line through points without marks.
+pub struct Line {
+    /// Its name; none if another line has it.
+    pub name: Option<String>,
+    /// The number of the curve whose colour it has; of none it is dashed.
+    pub curve: Option<usize>,
+    /// Its points, whose coordinates are positive.
+    pub points: Vec<[f64; 2]>,
+}
+
+impl Line {
+    fn class(&self) -> String {
+        self.curve.map_or("estimate".to_owned(), color)
+    }
 }
 
 /// A plot that is being drawn.
@@ -69,8 +94,8 @@ struct Drawing {
 }
 
 impl Diagram {
-    /// The diagram as SVG, with the names of these curves.
-    pub fn draw(mut self, curves: &[Curve]) -> String {
+    /// The diagram as SVG, with these names of the curves.
+    pub fn draw(mut self, curves: &[&str]) -> String {
         self.marks
             .retain(|mark| mark.x.is_finite() && mark.y.is_finite());
         let [width, height] = if self.is_wide { WIDE } else { NARROW };
@@ -80,20 +105,31 @@ impl Diagram {
             self.marks.iter().any(|mark| mark.y == 0.0),
         ];
         let [before, below] = has_zero.map(|has_zero| if has_zero { STRIP } else { 0.0 });
-        let numbers = |of: fn(&Mark) -> f64| -> Vec<f64> {
+        let of_lines: Vec<_> = self.lines.iter().flat_map(|line| &line.points).collect();
+        let numbers = |of: fn(&Mark) -> f64, axis: usize| -> Vec<f64> {
             let numbers = self.marks.iter().map(of);
-            numbers.filter(|number| *number != 0.0).collect()
+            let of_lines = of_lines.iter().map(|point| point[axis]);
+            let all = numbers.chain(of_lines);
+            all.filter(|number| *number != 0.0).collect()
         };
         let mut drawing = Drawing {
             svg: Svg::new([right + NAMES, bottom + BELOW], &self.title),
-            x: LogAxis::new(&numbers(|mark| mark.x), LEFT + before, right),
-            y: LogAxis::new(&numbers(|mark| mark.y), bottom - below, TOP),
+            x: LogAxis::new(&numbers(|mark| mark.x, 0), LEFT + before, right),
+            y: LogAxis::new(&numbers(|mark| mark.y, 1), bottom - below, TOP),
             has_zero,
             right,
             bottom,
         };
         self.draw_words(&mut drawing);
         drawing.draw_axes();
+        for line in &self.lines {
+            let points: Vec<_> = line
+                .points
+                .iter()
+                .map(|[x, y]| drawing.at(*x, *y))
+                .collect();
+            drawing.svg.line(&line.class(), &points);
+        }
         for curve in 0..curves.len() {
             self.draw_curve(&mut drawing, curve);
         }
@@ -133,13 +169,19 @@ impl Diagram {
         }
     }
 
-    /// The names of the curves, each as near to its last point as the others allow.
-    fn draw_names(&self, drawing: &mut Drawing, curves: &[Curve]) {
+    /// The names of the curves and lines, each as near to its last point as the others allow.
+    fn draw_names(&self, drawing: &mut Drawing, curves: &[&str]) {
         let mut names = Vec::new();
-        for (curve, of) in curves.iter().enumerate() {
+        for (curve, name) in curves.iter().enumerate() {
             if let Some(last) = self.marks.iter().rfind(|mark| mark.curve == curve) {
                 let [_, y] = drawing.at(last.x, last.y);
-                names.push((y, curve, of.method));
+                names.push((y, Key::Mark(curve), *name));
+            }
+        }
+        for line in &self.lines {
+            if let (Some(name), Some([x, y])) = (&line.name, line.points.last()) {
+                let [_, y] = drawing.at(*x, *y);
+                names.push((y, Key::Line(line.class()), name));
             }
         }
         names.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -150,13 +192,27 @@ impl Diagram {
             least = name.0 + NAME;
         }
         let (mut most, left) = (drawing.bottom, drawing.right);
-        for (y, curve, method) in names.into_iter().rev() {
+        for (y, key, name) in names.into_iter().rev() {
             let y = y.min(most);
             most = y - NAME;
-            drawing.svg.mark(curve, [left + 14.0, y]);
-            drawing.svg.text("small", [left + 26.0, y + 4.0], method);
+            match key {
+                Key::Mark(curve) => drawing.svg.mark(curve, [left + 14.0, y]),
+                Key::Line(class) => {
+                    let ends = [[left + 5.0, y], [left + 23.0, y]];
+                    drawing.svg.line(&class, &ends);
+                }
+            }
+            drawing.svg.text("small", [left + 26.0, y + 4.0], name);
         }
     }
+}
+
+/// What stands before a name.
+enum Key {
+    /// The mark of a curve.
+    Mark(usize),
+    /// A piece of a line of this class.
+    Line(String),
 }
 
 impl Drawing {

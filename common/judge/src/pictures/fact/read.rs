@@ -9,6 +9,7 @@ use crate::pictures::line::Line;
 use crate::pictures::quantity::{Exact, Quantity};
 use crate::pictures::run::Run;
 use crate::pictures::sheet::{RequestedPicture, Sheet};
+use crate::pictures::theory::Theory;
 use crate::pictures::values::{Channel, Region};
 
 /// What a fact measures, without the places where.
@@ -189,11 +190,13 @@ fn quantity(row: &Row, kind: Kind, sheet: &Sheet, size: Size) -> Result<Quantity
         }
         Kind::Slope => {
             let region = region(row, size)?;
+            let runs = runs(row, sheet)?;
             Quantity::Slope {
                 region,
                 exact: exact(row, sheet, size, region)?,
                 axis: row.find("axis")?.unwrap_or_default(),
-                runs: runs(row, sheet)?,
+                theory: theory(row, runs.len())?,
+                runs,
             }
         }
     })
@@ -234,6 +237,26 @@ fn exact(row: &Row, sheet: &Sheet, size: Size, region: Region) -> Result<Exact, 
         }
         _ => Ok(exact),
     }
+}
+
+/// What theory says about the errors of these many runs, if the row says it.
+fn theory(row: &Row, runs: usize) -> Result<Option<Theory>, String> {
+    let Some(row) = row.table("theory")? else {
+        return Ok(None);
+    };
+    let theory = Theory {
+        name: row.get("name")?,
+        errors: row.get("errors")?,
+        formula: row.get("formula")?,
+        unseen: row.get("unseen")?,
+        tests: row.find("tests")?,
+    };
+    row.end()?;
+    let are_positive = theory.errors.iter().all(|error| *error > 0.0);
+    if theory.errors.len() != runs || !are_positive {
+        return Err(row.error("errors", "must be positive, one for each number of samples"));
+    }
+    Ok(Some(theory))
 }
 
 fn region(row: &Row, size: Size) -> Result<Region, String> {
