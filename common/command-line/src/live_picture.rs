@@ -23,7 +23,7 @@ pub struct LivePicture {
     bar: ProgressBar,
     stopped: AtomicBool,
     /// When the rendering began.
-    pub(crate) began: Instant,
+    began: Instant,
     /// The time that it took.
     took: OnceLock<Duration>,
 }
@@ -103,6 +103,14 @@ impl LivePicture {
             self.paint(y, &mut row.iter().copied());
         }
         self.took.get_or_init(|| self.began.elapsed());
+    }
+
+    /// The same rendering with its finished picture, which has another size.
+    pub(crate) fn replaced_by(&self, image: &Image) -> Self {
+        let mut picture = Self::new(image.size(), self.transfer);
+        picture.began = self.began;
+        picture.finish(image);
+        picture
     }
 
     fn paint(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {

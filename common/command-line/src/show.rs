@@ -4,6 +4,7 @@ use std::slice;
 
 use common::{Error, Stage};
 
+use crate::gallery::Scenes;
 use crate::grammar::Showing;
 use crate::opened_file::OpenedFile;
 use crate::print::warn;
@@ -75,7 +76,12 @@ fn show_in_window(
         let reason = "this build has none; the feature `window` brings it";
         return Err(NotShown::NoWindow(reason.to_owned()));
     };
-    viewer(&mut Gallery::new(stage, file, number, showing)?)
+    let scenes = Scenes {
+        stage,
+        file,
+        number,
+    };
+    viewer(&mut Gallery::new(scenes, &showing.options)?)
 }
 
 #[cfg(test)]

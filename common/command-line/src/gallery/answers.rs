@@ -6,9 +6,8 @@ use std::time::{Duration, Instant};
 use common::pixel_trace::digits;
 use common::{Color, Error, Image, Renderer, picture_file, text};
 
-use super::{Gallery, Job};
+use super::Gallery;
 use crate::explained_pixel::ExplainedPixel;
-use crate::opened_file::OpenedFile;
 use crate::print::print;
 use crate::render::sooner;
 use crate::save::save_beside_others;
@@ -17,21 +16,44 @@ use crate::target::{check_png, make_default_folder};
 /// A short sentence is read in this time.
 const READ: Duration = Duration::from_secs(2);
 
+/// An answer to a key.
+pub(super) struct Answer {
+    /// Empty if there is none.
+    pub text: String,
+    /// When it was given.
+    pub given: Instant,
+}
+
+impl Answer {
+    /// No answer.
+    pub fn none() -> Self {
+        Self::now(String::new())
+    }
+
+    fn now(text: String) -> Self {
+        Self {
+            text,
+            given: Instant::now(),
+        }
+    }
+}
+
 impl Gallery<'_> {
     fn name(&self) -> String {
-        match &self.file {
-            Some(file) if self.number == 0 => {
+        match self.scenes.shown_file() {
+            Some(file) => {
                 let name = file.path().file_name().unwrap_or_default();
                 text::visible(&name.to_string_lossy())
             }
-            _ => self.scene().map_or("", |scene| scene.name).to_owned(),
+            None => self.scene().map_or("", |scene| scene.name).to_owned(),
         }
     }
 
     /// Stage and scene, and the time of the rendering, for the title of the window.
     #[must_use]
     pub fn title(&self) -> String {
-        let (stage, name, times) = (self.stage.name, self.name(), self.picture.times());
+        let (stage, name) = (self.scenes.stage.name, self.name());
+        let times = self.picture().times();
         format!("{stage}: {name}, {times}")
     }
 
@@ -48,11 +70,11 @@ impl Gallery<'_> {
     #[must_use]
     pub fn lines(&self, pointer: Option<[u32; 2]>) -> Vec<String> {
         let mut lines = Vec::new();
-        if !self.message.is_empty() {
-            lines.push(self.message.clone());
+        if !self.answer.text.is_empty() {
+            lines.push(self.answer.text.clone());
         }
         if self.is_rendering()
-            && self.picture.is_slow()
+            && self.picture().is_slow()
             && let Some(other) = self.by_other_renderer()
             && other.renderer == Renderer::Engine
         {
@@ -75,32 +97,24 @@ impl Gallery<'_> {
 
     /// Why there is no picture, or why it is not that of the file as it is now.
     pub(super) fn error(&self) -> Option<&Error> {
-        let file = self.file.as_ref().filter(|_| self.number == 0);
-        let picture = match &self.job {
-            Job::Done(Err(error)) => Some(error),
-            _ => None,
-        };
-        file.and_then(OpenedFile::error).or(picture)
+        self.scenes.error().or_else(|| self.rendering.error())
     }
 
     /// The colour of a pixel of the finished picture.
     fn color(&self, [x, y]: [u32; 2]) -> Option<Color> {
-        match &self.job {
-            Job::Done(Ok(image)) => image.get(x, y),
-            _ => None,
-        }
+        self.rendering.image()?.get(x, y)
     }
 
     fn bytes(&self, [x, y]: [u32; 2]) -> String {
-        let [_, r, g, b] = self.picture.pixel(x, y).to_be_bytes();
+        let [_, r, g, b] = self.picture().pixel(x, y).to_be_bytes();
         format!("pixel {x},{y}: bytes ({r}, {g}, {b})")
     }
 
     /// Explains a pixel inside of the picture, and prints all numbers behind it.
     pub fn explain(&mut self, pixel: [u32; 2]) {
-        self.message.clear();
+        self.end_answer();
         let [x, y] = pixel;
-        let seen = Color::from_packed(self.picture.pixel(x, y));
+        let seen = Color::from_packed(self.picture().pixel(x, y));
         let color = self.color(pixel).unwrap_or(seen);
         let explained = self.scene().ok_or_else(no_scene).and_then(|scene| {
             let settings = self.settings(scene)?;
@@ -116,12 +130,12 @@ impl Gallery<'_> {
 
     /// Ends the answer to the last key.
     pub fn end_answer(&mut self) {
-        self.message.clear();
+        self.answer = Answer::none();
     }
 
     /// The mouse moves: ends an answer that a person has had time to read.
     pub fn point(&mut self) {
-        if self.answered.elapsed() > READ {
+        if self.answer.given.elapsed() > READ {
             self.end_answer();
         }
     }
@@ -129,7 +143,7 @@ impl Gallery<'_> {
     /// No longer explains a pixel.
     pub fn forget(&mut self) {
         self.explained = None;
-        self.message.clear();
+        self.end_answer();
     }
 
     /// Prints the camera as the lines of a scene file.
@@ -145,14 +159,15 @@ impl Gallery<'_> {
     /// Saves the picture in this file, or else as `out/STAGE-SCENE.png`. There a different picture of
     /// this name is kept, and the new one gets a number.
     pub fn save(&mut self, path: Option<PathBuf>) {
-        let saved = match &self.job {
-            Job::Done(Ok(image)) => self.write(image, path),
-            Job::Running(_) => Err(Error::Usage("the picture is not finished yet".to_owned())),
-            _ => Err(Error::Usage("there is no picture to save".to_owned())),
+        let no_picture = |text: &str| Err(Error::Usage(text.to_owned()));
+        let saved = match self.rendering.image() {
+            Some(image) => self.write(image, path),
+            None if self.is_rendering() => no_picture("the picture is not finished yet"),
+            None => no_picture("there is no picture to save"),
         };
         let printed = saved.and_then(|path| {
             self.say(&format!("saved {}", text::path(&path)));
-            print(&self.message)
+            print(&self.answer.text)
         });
         self.note(printed);
     }
@@ -171,13 +186,13 @@ impl Gallery<'_> {
     #[must_use]
     pub fn file_name(&self) -> String {
         let scene = self.scene().map_or("", |scene| scene.name);
-        format!("{}-{scene}", self.stage.name)
+        format!("{}-{scene}", self.scenes.stage.name)
     }
 
     /// Whether there is a finished picture.
     #[must_use]
     pub const fn has_picture(&self) -> bool {
-        matches!(self.job, Job::Done(Ok(_)))
+        self.rendering.image().is_some()
     }
 
     /// Says that no file was chosen.
@@ -187,8 +202,7 @@ impl Gallery<'_> {
 
     /// Gives an answer.
     pub fn say(&mut self, message: &str) {
-        message.clone_into(&mut self.message);
-        self.answered = Instant::now();
+        self.answer = Answer::now(message.to_owned());
     }
 
     fn note(&mut self, outcome: Result<(), Error>) {

@@ -7,11 +7,18 @@ use super::Gallery;
 /// The angle by which the camera rotates for a pixel of the mouse's way, in radians.
 const ANGLE: f64 = 0.01;
 
+/// The way of the camera from its place in the scene.
+#[derive(Default)]
+pub(super) struct MovedCamera {
+    pub edits: Edits,
+    /// Whether it has moved since the rendering began.
+    pub has_moved: bool,
+}
+
 impl Gallery<'_> {
     /// Returns the camera to its place in the scene, and renders the picture.
     pub fn reset(&mut self) {
-        self.edits = Edits::default();
-        self.message.clear();
+        self.camera.edits = Edits::default();
         self.start_or_fail();
     }
 
@@ -30,10 +37,10 @@ impl Gallery<'_> {
 
     /// A scene without a camera, or one that is not there yet, has none to move.
     fn move_camera(&mut self, edit: impl FnOnce(&mut Edits)) {
-        self.message.clear();
+        self.end_answer();
         if self.scene().is_some_and(|scene| scene.rays().is_ok()) {
-            edit(&mut self.edits);
-            self.has_moved = true;
+            edit(&mut self.camera.edits);
+            self.camera.has_moved = true;
         }
     }
 }

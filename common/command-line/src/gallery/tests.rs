@@ -1,10 +1,11 @@
-use std::fs;
 use std::path::Path;
 use std::time::Duration;
+use std::{fs, thread};
 
-use common::{Color, atomic_file};
+use common::{Color, Image, Stage, atomic_file};
 
 use super::*;
+use crate::opened_file::OpenedFile;
 
 /// A scene whose picture has the grey that the file names; a file without a number is broken.
 fn open(path: &Path) -> Result<Scene, Error> {
@@ -37,13 +38,12 @@ fn with_file(text: &str, test: impl FnOnce(&mut Gallery, &Path)) {
     let path = folder.path().join("w.toml");
     fs::write(&path, text).unwrap();
     let stage = stage();
-    let showing = Showing {
-        no_window: false,
-        watch: true,
-        options: Options::default(),
+    let scenes = Scenes {
+        stage: &stage,
+        file: Some(OpenedFile::open(&stage, &path, true)),
+        number: 0,
     };
-    let file = OpenedFile::open(&stage, &path, true);
-    let mut gallery = Gallery::new(&stage, Some(file), 0, &showing).unwrap();
+    let mut gallery = Gallery::new(scenes, &Options::default()).unwrap();
     gallery.begin().unwrap();
     test(&mut gallery, &path);
 }
@@ -57,7 +57,7 @@ fn save(path: &Path, text: &str) {
 fn shown(gallery: &mut Gallery) -> u32 {
     gallery.update();
     gallery.wait();
-    gallery.picture.pixel(0, 0) >> 16
+    gallery.picture().pixel(0, 0) >> 16
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn before_the_file_is_right_there_is_nothing_to_move_print_or_save() {
     with_file("broken", |gallery, path| {
         gallery.rotate([30, 0]);
         gallery.approach(1);
-        assert_eq!(gallery.edits, Edits::default());
+        assert_eq!(gallery.camera.edits, Edits::default());
         gallery.print_camera();
         assert_eq!(gallery.lines(None), ["there is no scene yet"]);
         gallery.save(None);
@@ -128,7 +128,7 @@ fn an_answer_stands_above_the_numbers_of_a_pixel_and_ends() {
         assert_eq!(lines[1..], numbers);
         gallery.point();
         assert_eq!(gallery.lines(None), lines, "nobody has read it");
-        gallery.answered -= Duration::from_secs(3);
+        gallery.answer.given -= Duration::from_secs(3);
         gallery.point();
         assert_eq!(gallery.lines(None), numbers);
     });
