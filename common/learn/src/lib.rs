@@ -23,6 +23,7 @@ mod public_items;
 mod refusal;
 mod report;
 mod screen;
+mod session;
 pub mod sheet;
 #[cfg(unix)]
 mod signals;

@@ -14,8 +14,8 @@ use crate::hints::hints;
 use crate::keys::Typed;
 use crate::report::Report;
 use crate::screen::Screen;
+use crate::session::{PAUSE, Session};
 use crate::student_file::{self, Saved};
-use crate::watch::{PAUSE, Session};
 
 const CHOOSE: &str = "up and down, or k and j, choose an exercise of any stage, and Enter opens it";
 const KEYS: &str = "h hint  n next  l list  q quit";

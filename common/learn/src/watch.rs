@@ -1,28 +1,14 @@
 //! `watch`: shows an exercise, and checks the file whenever it is saved.
 
-use std::time::Duration;
-
 use crate::exercise::Exercise;
 use crate::keys::Keys;
 use crate::page::{Page, Step};
 use crate::progress::Progress;
 use crate::screen::Screen;
-use crate::student_file::{self, Saved};
-
-/// Time between two looks at the file and the keyboard.
-pub const PAUSE: Duration = Duration::from_millis(50);
+use crate::session::Session;
+use crate::student_file;
 
 const END: &str = "all exercises are done; `cargo learn program FOLDER` brings your functions into your own program";
-
-/// What all pages share: the exercises, which of them are done, and the terminal.
-pub struct Session {
-    pub course: &'static [Exercise],
-    pub progress: Progress,
-    pub screen: Screen,
-    pub keys: Keys,
-    /// The files of all exercises when they were last looked at.
-    pub saved: Vec<Saved>,
-}
 
 /// Shows one exercise after the other until the student quits. Returns how many are done.
 pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<String, String> {

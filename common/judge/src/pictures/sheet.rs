@@ -72,8 +72,8 @@ impl Sheet {
             }
             sheet.pictures.push(picture);
         }
-        let unknown = |scene: &&String| sheet.picture(scene).is_none();
-        if sheet.timed.as_ref().filter(unknown).is_some() {
+        let unknown = |scene: &String| sheet.picture(scene).is_none();
+        if sheet.timed.as_ref().is_some_and(unknown) {
             return Err(row.error("timed", "names no scene of a picture"));
         }
         for row in row.rows("fact")? {

@@ -7,9 +7,9 @@ use super::{KEYS, Page};
 use crate::files;
 use crate::report::Report;
 use crate::screen::Screen;
+use crate::session::Session;
 use crate::starter::starter;
 use crate::student_file;
-use crate::watch::Session;
 
 const SAVE: &str = "save the file to check it";
 const NEXT: &str = "Enter: the next exercise";

@@ -38,9 +38,12 @@ impl OwnProgram {
                 "{threads:>7}{median:>10.2}   {value:.2} ({low:.2} to {high:.2})"
             );
         }
-        table += &match available_parallelism() {
-            Ok(cores) if cores.get() > 1 => format!("This computer has {cores} cores.\n"),
-            _ => "This computer has one core, on which no thread gains time.\n".to_owned(),
+        let _ = match available_parallelism() {
+            Ok(cores) if cores.get() > 1 => writeln!(table, "This computer has {cores} cores."),
+            _ => writeln!(
+                table,
+                "This computer has one core, on which no thread gains time."
+            ),
         };
         Ok(table)
     }
