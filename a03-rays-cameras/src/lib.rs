@@ -18,7 +18,6 @@ pub mod scenes;
 mod striped_sky;
 mod view;
 
-pub use crate::adapter::export;
 pub use crate::adapter::registry;
 pub use crate::adapter::stage;
 pub use crate::adapter::traced_world::TracedWorld;

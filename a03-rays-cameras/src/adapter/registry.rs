@@ -1,6 +1,7 @@
 //! `registry`: one row for each camera of this stage: how it is read from a scene file, and its
 //! numbers for the engine. A camera without a row is asked ray by ray.
 
+mod export;
 mod for_engine;
 mod format;
 mod numbered_file;

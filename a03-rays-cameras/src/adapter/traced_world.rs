@@ -3,8 +3,8 @@
 use std::any::Any;
 
 use common::Color;
+use scene_export::{Values, WrittenLight, WrittenShape};
 
-use super::export::{Values, WrittenLight, WrittenShape};
 use super::instruments::Instruments;
 use crate::{Ray, View};
 

@@ -1,11 +1,11 @@
 //! `stage`: the scenes of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::export::{Values, WrittenShape};
 use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use common::steps::{self, StepKind};
 use common::{Color, Stage};
+use scene_export::{Values, WrittenShape};
 
 use crate::instruments::{instrumented, objects};
 use crate::registry::{self, ALL_SHAPES};

@@ -9,10 +9,10 @@ mod material_row;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::View;
-use a03_rays_cameras::export::{Values, exact_angle};
 use a03_rays_cameras::registry::{Format, read_camera};
 use a04_intersections::registry::{ALL_SHAPES, Shapes};
 use common::Color;
+use scene_export::{Values, exact_angle};
 use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{DirectionalLight, Lambert, LitWorld, Phong, PointLight, SingleColor, SpotLight};

@@ -3,7 +3,6 @@
 
 use std::any::Any;
 
-use a03_rays_cameras::export::Values;
 use a03_rays_cameras::registry::{Format, read_camera};
 use a03_rays_cameras::{Ray, View};
 use a04_intersections::Hit;
@@ -14,6 +13,7 @@ use a05_lighting::registry::{
 };
 use a05_lighting::{Material, Phong};
 use common::Color;
+use scene_export::Values;
 use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, traced};

@@ -1,13 +1,13 @@
 //! `stage`: the scenes of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::export::{Values, WrittenLight, WrittenShape};
 use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedWorld, View, traced_scene};
 use a04_intersections::instruments::objects;
 use a04_intersections::registry::{ALL_SHAPES, Shapes};
 use a05_lighting::registry::LIGHTS;
 use common::{Color, Stage};
+use scene_export::{Values, WrittenLight, WrittenShape};
 
 use crate::instruments::instrumented::InstrumentedWorld;
 use crate::scenes::{aab, sphere};

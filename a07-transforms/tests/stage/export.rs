@@ -82,7 +82,7 @@ fn pov_ray_gets_every_phrase_of_its_language_with_its_numbers() {
         exported += &export.unwrap_or_default();
     }
     assert!(!exported.contains('['));
-    let language = "../a03-rays-cameras/src/adapter/export/languages/povray.txt";
+    let language = "../common/scene-export/src/languages/povray.txt";
     let language = fs::read_to_string(language).unwrap().replace("\\n", "\n");
     let (_, phrases) = language.split_once("\n\n").unwrap();
     for part in phrases

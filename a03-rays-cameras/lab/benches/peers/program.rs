@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::{fs, io};
 
-use a03_rays_cameras::export::{POV_RAY, Phrases, export};
 use common::{Error, Image, Settings, Size, picture_file};
+use scene_export::{POV_RAY, Phrases, export};
 
 use crate::support::scene::Scene;
 use crate::written::{written, written_lights, written_materials};

@@ -1,9 +1,9 @@
 //! The shapes, materials and lights of a scene of the engine as the values that a language has words for.
 
-use a03_rays_cameras::export::{Values, WrittenLight, WrittenShape};
 use common::Color;
 use engine::{Emitter, Scene, Shading, Shape};
 use glam::DVec3;
+use scene_export::{Values, WrittenLight, WrittenShape};
 
 /// The shapes in their order; a shape that is a function has no words.
 pub fn written(scene: &Scene) -> Vec<WrittenShape> {

@@ -3,7 +3,7 @@
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
-use a03_rays_cameras::export::Values;
+use scene_export::Values;
 use scene_file::{Error, Item};
 
 use super::Shared;

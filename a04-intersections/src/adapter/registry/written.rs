@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use a03_rays_cameras::export::WrittenShape;
+use scene_export::WrittenShape;
 
 use super::{Content, ShapeKind, Shapes};
 use crate::{Geometry, World};

@@ -3,7 +3,7 @@
 use std::any::Any;
 
 use a02_math::Point3;
-use a03_rays_cameras::export::{Values, WrittenLight};
+use scene_export::{Values, WrittenLight};
 use scene_file::{Error, Item};
 
 use crate::Light;

@@ -3,9 +3,9 @@
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
-use a03_rays_cameras::export::Values;
 use a04_intersections::Hit;
 use common::Color;
+use scene_export::Values;
 use scene_file::{Error, Item, SceneFile};
 
 use crate::{Lighting, Material, Phong};

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use scene_file::TABLES;
 
-use super::phrases::number;
-use super::{Phrases, Values};
+use crate::phrases::number;
+use crate::{Phrases, Values};
 
 /// The smallest distance between two of a triangle's unit normals that is written for a language
 /// in which a triangle of equal normals is flat.

@@ -1,8 +1,8 @@
-//! `export`: writes a scene, in the numbers of the engine and of its rows, in a language.
+//! Writes a scene, in the numbers of the engine and of the rows of its types, as TOML and for POV-Ray. The reader
+//! of scene files knows no engine, and the engine no scene file.
 
 mod phrases;
 mod shape;
-mod view;
 mod words;
 
 use std::collections::HashMap;

@@ -2,9 +2,10 @@
 
 use common::{Error, Settings};
 
-use super::{POV_RAY, TOML, export, write_camera};
+use scene_export::{POV_RAY, TOML, export, write_camera};
+
+use super::camera_for_engine;
 use crate::View;
-use crate::registry::camera_for_engine;
 
 impl View {
     /// The scene as text in a language, `toml` or `povray`.

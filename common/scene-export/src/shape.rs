@@ -3,7 +3,7 @@
 use engine::Transform;
 use glam::DMat4;
 
-use super::{Phrases, WrittenShape, words};
+use crate::{Phrases, WrittenShape, words};
 
 /// A shape, or the use of a definition of this name, behind a prefix of its table, and the use of its
 /// material.
