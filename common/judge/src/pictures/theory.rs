@@ -68,3 +68,66 @@ impl Sheet {
         self.facts.iter().find(|fact| fact.theory().is_some())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pictures::quantity::Exact;
+
+    /// The mean of the squared errors of the columns, of which each has this exact value.
+    fn squared_error(sheet: &str, samples: f64, f: f64) -> f64 {
+        match sheet {
+            "lens" | "patterns" => f * (1.0 - f) / samples,
+            "light" => f * (0.5 - f) / samples,
+            "lamp" => {
+                let k = samples.sqrt();
+                let g = (k * f).fract();
+                g * (1.0 - g) / (k * k * k)
+            }
+            "glass" => {
+                let r = 0.387_704;
+                let error = f * (1.0 - r) * libm::pow(r, samples - 2.0);
+                error * error
+            }
+            _ => libm::log2(samples) * libm::log2(samples),
+        }
+    }
+
+    #[test]
+    fn errors_follow_from_their_formulas() {
+        for (name, text) in [
+            ("glass", include_str!("../../sheets/glass.toml")),
+            ("lamp", include_str!("../../sheets/lamp.toml")),
+            ("lens", include_str!("../../sheets/lens.toml")),
+            ("light", include_str!("../../sheets/light.toml")),
+            ("patterns", include_str!("../../sheets/patterns.toml")),
+            ("tree", include_str!("../../sheets/tree.toml")),
+        ] {
+            let sheet = Sheet::read(name, text).unwrap();
+            let fact = sheet.fact_with_theory().unwrap();
+            let Quantity::Slope {
+                exact,
+                runs,
+                theory: Some(theory),
+                ..
+            } = &fact.quantity
+            else {
+                panic!("{name}")
+            };
+            let columns = match exact {
+                Exact::Number(number) => vec![*number],
+                Exact::Columns(columns) => columns.clone(),
+                Exact::Run(_) => panic!("{name}"),
+            };
+            for (run, error) in runs.iter().zip(&theory.errors) {
+                let squared = |f: &f64| squared_error(name, run.samples.into(), *f);
+                let sum: f64 = columns.iter().map(squared).sum();
+                let exact = (sum / columns.len() as f64).sqrt();
+                assert!(
+                    (error / exact - 1.0).abs() < 0.004,
+                    "{name}: {error} {exact}"
+                );
+            }
+        }
+    }
+}
