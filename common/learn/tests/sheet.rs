@@ -182,7 +182,6 @@ fn each_program_gets_a_sentence() {
     for words in [
         "ok         place  white begins in column 20",
         "noise, the median of 6 runs in turns",
-        "      4      0.",
         "   1.00 (1.00 to 1.00)",
         "This computer has ",
         "glass: 2 of 2 facts hold; the pictures are in out/sheets/glass",
