@@ -45,7 +45,7 @@ impl<'a> Gallery<'a> {
             scenes,
             options: options.clone(),
             camera: MovedCamera::default(),
-            rendering: Rendering::new(options, LivePicture::new(size, transfer))?,
+            rendering: Rendering::new(LivePicture::new(size, transfer)),
             explained: None,
             answer: Answer::none(),
             warning: String::new(),
@@ -123,15 +123,15 @@ impl<'a> Gallery<'a> {
     /// Starts to render the scene. An earlier rendering stops. A scene file that was never right has nothing
     /// to render.
     fn start(&mut self) -> Result<(), Error> {
-        self.rendering.stop();
         (self.explained, self.camera.has_moved) = (None, false);
         self.answer = Answer::none();
         self.warning.clear();
-        if let Some(scene) = self.scene().cloned() {
-            let settings = self.settings(&scene)?;
-            self.rendering.start(scene, settings);
-        }
-        Ok(())
+        let Some(scene) = self.scene().cloned() else {
+            self.rendering.stop();
+            return Ok(());
+        };
+        let settings = self.settings(&scene)?;
+        self.rendering.start(scene, settings, &self.options)
     }
 
     fn start_or_fail(&mut self) {

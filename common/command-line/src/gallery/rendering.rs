@@ -12,8 +12,6 @@ use crate::options::Options;
 
 /// The rendering of a picture.
 pub(super) struct Rendering {
-    /// They paint one picture after the other: an earlier one stops at its next pixels.
-    threads: Arc<ThreadPool>,
     /// The picture as far as it is known.
     pub picture: Arc<LivePicture>,
     job: Job,
@@ -23,23 +21,34 @@ enum Job {
     /// There is nothing to render.
     Idle,
     /// A thread renders.
-    Running(JoinHandle<Result<Image, Error>>),
+    Running(Running),
     /// The finished picture, or the reason for its absence.
     Done(Result<Image, Error>),
 }
 
+struct Running {
+    thread: JoinHandle<Result<Image, Error>>,
+    /// It paints the next picture, too, if that one begins before the end of this one: a stopped one ends at its
+    /// next pixels. A window that has its picture needs no threads.
+    pool: Arc<ThreadPool>,
+}
+
+/// Threads that render.
+fn pool(options: &Options) -> Result<ThreadPool, Error> {
+    let pool = options.thread_pool()?;
+    // The window answers keys while all processors render.
+    #[cfg(target_os = "linux")]
+    pool.broadcast(|_| rustix::process::nice(10));
+    Ok(pool)
+}
+
 impl Rendering {
     /// Nothing is rendered into this picture yet.
-    pub fn new(options: &Options, picture: LivePicture) -> Result<Self, Error> {
-        let threads = options.thread_pool()?;
-        // The window answers keys while all processors render.
-        #[cfg(target_os = "linux")]
-        threads.broadcast(|_| rustix::process::nice(10));
-        Ok(Self {
-            threads: Arc::new(threads),
+    pub fn new(picture: LivePicture) -> Self {
+        Self {
             picture: Arc::new(picture),
             job: Job::Idle,
-        })
+        }
     }
 
     /// Stops; there is nothing to render.
@@ -49,23 +58,35 @@ impl Rendering {
     }
 
     /// Starts to render a scene. An earlier rendering stops.
-    pub fn start(&mut self, scene: Scene, settings: Settings) {
-        self.stop();
+    pub fn start(
+        &mut self,
+        scene: Scene,
+        settings: Settings,
+        options: &Options,
+    ) -> Result<(), Error> {
+        self.picture.stop();
+        let pool = match mem::replace(&mut self.job, Job::Idle) {
+            Job::Running(running) => running.pool,
+            Job::Idle | Job::Done(_) => Arc::new(pool(options)?),
+        };
         let picture = Arc::new(LivePicture::new(settings.size, settings.transfer));
         picture.begin_with(&self.picture);
         self.picture = Arc::clone(&picture);
-        let threads = Arc::clone(&self.threads);
+        let threads = Arc::clone(&pool);
         // The pixels of a large picture take long to pack, too.
         let render = move || {
             let image = threads.install(|| picture.render(&scene, &settings))?;
             picture.finish(&image);
             Ok(image)
         };
-        self.job = Job::Running(thread::spawn(render));
+        let thread = thread::spawn(render);
+        self.job = Job::Running(Running { thread, pool });
+        Ok(())
     }
 
     /// Ends with the reason why there is no picture.
     pub fn fail(&mut self, error: Error) {
+        self.picture.stop();
         self.job = Job::Done(Err(error));
     }
 
@@ -82,21 +103,21 @@ impl Rendering {
     /// Whether a rendering has ended of which nobody has taken the outcome.
     pub fn has_ended(&self) -> bool {
         match &self.job {
-            Job::Running(thread) => thread.is_finished(),
+            Job::Running(running) => running.thread.is_finished(),
             _ => false,
         }
     }
 
     /// Waits for the end of the rendering; false if there is none.
     pub fn wait(&mut self) -> bool {
-        let thread = match mem::replace(&mut self.job, Job::Idle) {
-            Job::Running(thread) => thread,
+        let running = match mem::replace(&mut self.job, Job::Idle) {
+            Job::Running(running) => running,
             job => {
                 self.job = job;
                 return false;
             }
         };
-        let outcome = thread.join();
+        let outcome = running.thread.join();
         let outcome = outcome.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         if let Ok(image) = &outcome
             && self.picture.size() != image.size()
