@@ -147,7 +147,7 @@ fn render(name: &str, threads: u32) -> Result<Image, Error> {
     match name {
         "cores-load" => load(threads),
         "cores-picture" => night(Size::new(300, 200)?, 64, threads),
-        "cores-own" => {
+        "cores-still" => {
             let image = night(Size::new(640, 400)?, 16, threads)?;
             Ok(for_screens(image, Transfer::Gamma))
         }

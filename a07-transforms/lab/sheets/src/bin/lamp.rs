@@ -181,11 +181,11 @@ fn staircase() -> Result<Scene, Error> {
 
 fn render(name: &str, samples: u32) -> Result<Image, Error> {
     let scene = match name {
-        "lamp-own" => staircase(),
+        "lamp-still" => staircase(),
         _ => scene(name),
     }?;
     let places: &[_] = match name {
-        "lamp-own" => &[(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)],
+        "lamp-still" => &[(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)],
         _ => &[(0.5, 0.5)],
     };
     let image = Image::from_fn(scene.size, |column, row| {
@@ -199,7 +199,7 @@ fn render(name: &str, samples: u32) -> Result<Image, Error> {
         sum * (1.0 / places.len() as f64)
     })?;
     Ok(match name {
-        "lamp-own" => for_screens(image, Transfer::Gamma),
+        "lamp-still" => for_screens(image, Transfer::Gamma),
         _ => image,
     })
 }

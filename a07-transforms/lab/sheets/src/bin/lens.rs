@@ -129,7 +129,7 @@ fn render(name: &str, samples: u32) -> Result<Image, Error> {
         angle,
         size,
     } = match name {
-        "lens-own" => night(),
+        "lens-still" => night(),
         _ => scene(name),
     }?;
     let basis = Basis::new(eye, gaze, UP)?;
@@ -152,7 +152,7 @@ fn render(name: &str, samples: u32) -> Result<Image, Error> {
         sum * (1.0 / f64::from(count))
     })?;
     Ok(match name {
-        "lens-own" => for_screens(image, Transfer::Gamma),
+        "lens-still" => for_screens(image, Transfer::Gamma),
         _ => image,
     })
 }

@@ -219,7 +219,7 @@ fn render(name: &str, samples: u32) -> Result<Image, Error> {
         },
         "light-zenith" => floor(0.9, Vector3::y, samples)?,
         "light-ball" => ball(samples)?,
-        "light-own" => return Ok(for_screens(room(samples)?.draw()?, Transfer::Gamma)),
+        "light-still" => return Ok(for_screens(room(samples)?.draw()?, Transfer::Gamma)),
         _ => floor(0.5, |d| white_if(2.0 * d.x() + d.z() > 0.0).r, samples)?,
     }
     .draw()
