@@ -114,8 +114,10 @@ live.LeftOut = class {
         const row = (name, cells, tag = 'td') => live.element('tr', {}, live.element('th', { scope: 'row' }, name), ...cells.map((cell) => live.element(tag, {}, cell)));
         const rows = this.kinds.map((kind, index) => {
             const [least, now, most] = [done, counts, all].map((list) => list[index]);
-            const meter = live.element('meter', { max: Math.max(most, now), value: now, 'aria-label': kind });
-            const known = isAnswered || this.putBack ? most.toLocaleString('en') : '?';
+            const isKnown = isAnswered || this.putBack;
+            const known = isKnown ? most.toLocaleString('en') : '?';
+            // A part of all work would tell the answer.
+            const meter = live.element('meter', { max: isKnown ? Math.max(most, now) : now, value: now, 'aria-label': kind });
             return most || least ? row(kind, [least.toLocaleString('en'), live.element('span', {}, now.toLocaleString('en'), ' ', meter), known]) : '';
         });
         this.counts.replaceChildren(row('', ['all on', 'yours', 'all work'], 'th'), ...rows);

@@ -60,7 +60,7 @@ live.Measure = class {
         this.question.replaceChildren(live.question('Your guess: which one comes down to an error of 1/510, half a grey level, soonest on your machine?', names, (index) => {
             this.guess = names[index];
             this.draw();
-            return 'Measure, and see.';
+            return this.points.length ? 'See below.' : 'Measure, and see.';
         }));
         this.draw();
     }
