@@ -71,6 +71,8 @@ impl Sheet {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::pictures::quantity::Exact;
 
@@ -95,15 +97,13 @@ mod tests {
 
     #[test]
     fn errors_follow_from_their_formulas() {
-        for (name, text) in [
-            ("glass", include_str!("../../sheets/glass.toml")),
-            ("lamp", include_str!("../../sheets/lamp.toml")),
-            ("lens", include_str!("../../sheets/lens.toml")),
-            ("light", include_str!("../../sheets/light.toml")),
-            ("patterns", include_str!("../../sheets/patterns.toml")),
-            ("tree", include_str!("../../sheets/tree.toml")),
-        ] {
-            let sheet = Sheet::read(name, text).unwrap();
+        for name in ["glass", "lamp", "lens", "light", "patterns", "tree"] {
+            let file = format!("{}/sheets/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+            // A handout has the sheets of its stages alone.
+            let Ok(text) = fs::read_to_string(file) else {
+                continue;
+            };
+            let sheet = Sheet::read(name, &text).unwrap();
             let fact = sheet.fact_with_theory().unwrap();
             let Quantity::Slope {
                 exact,
