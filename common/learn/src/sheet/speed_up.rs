@@ -39,7 +39,10 @@ impl OwnProgram {
             );
         }
         let _ = match available_parallelism() {
-            Ok(cores) if cores.get() > 1 => writeln!(table, "This computer has {cores} cores."),
+            Ok(cores) if cores.get() > 1 => writeln!(
+                table,
+                "This computer has {cores} cores. A program that is more than {cores} times as fast has taken time from others."
+            ),
             _ => writeln!(
                 table,
                 "This computer has one core, on which no thread gains time."
