@@ -10,6 +10,9 @@ use crate::text;
 /// The bytes of a file, whose name is relative to this folder, if it has at most as many. The
 /// error is a clause.
 pub fn read(folder: &Path, name: &Path, most: u64) -> Result<Vec<u8>, String> {
+    if name.as_os_str().is_empty() {
+        return Err("the name is empty".to_owned());
+    }
     let path = folder.join(name);
     let found = fs::metadata(&path).map_err(|error| match error.kind() {
         ErrorKind::NotFound if path.is_symlink() => "it is a link to nothing".to_owned(),
@@ -87,6 +90,7 @@ mod tests {
         let in_models = "models; the nearest is models/tri.obj";
         for (name, begin, end) in [
             ("models", "it is a folder", ""),
+            ("", "the name is empty", ""),
             (
                 "Models/Tri.OBJ",
                 "there is no folder ",

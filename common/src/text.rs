@@ -66,14 +66,14 @@ pub fn message(text: &str) -> String {
 ///
 /// Fails if the bytes are no such text; the error is a clause that says so.
 pub fn from_file(bytes: Vec<u8>) -> Result<String, String> {
+    if let [0, 1..=255, ..] | [1..=255, 0, ..] | [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] = *bytes {
+        return Err("it is a text in UTF-16; save it in UTF-8".to_owned());
+    }
     let error = match String::from_utf8(bytes) {
         Ok(text) => return Ok(text),
         Err(error) => error,
     };
     let bytes = error.as_bytes();
-    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-        return Err("it is a text in UTF-16; save it in UTF-8".to_owned());
-    }
     let before = &bytes[..error.utf8_error().valid_up_to()];
     let line = before.split(|byte| *byte == b'\n').count();
     Err(format!(
@@ -195,6 +195,20 @@ mod tests {
             value *= 1234.567;
         }
         assert_eq!(numbers(&[1.0, 1e99]), "1, 1e99");
+    }
+
+    #[test]
+    fn files_in_other_encodings_are_named() {
+        for (bytes, said) in [
+            (&b"\xFF\xFEa\0"[..], "UTF-16"),
+            (b"a\0b\0", "UTF-16"),
+            (b"\0a\0b", "UTF-16"),
+            (b"a\nb\xE4", "line 2 has a letter"),
+        ] {
+            let error = from_file(bytes.to_vec()).unwrap_err();
+            assert!(error.contains(said), "{error}");
+        }
+        assert_eq!(from_file(b"a".to_vec()).unwrap(), "a");
     }
 
     #[test]

@@ -41,7 +41,12 @@ render => <SCENES>... | tip: the scenes are sphere-transformation
 explain --pixel 1,1 => <SCENE> | tip: the scenes are sphere-transformation
 explain disc => --pixel <X,Y>
 list disc => argument 'disc' found
-dsc => unrecognized subcommand 'dsc' | tip: the scenes are sphere-transformation, box-transformations, disc
+dsc => unrecognized subcommand 'dsc' | tip: the scenes are sphere-transformation, box-transformations, disc; the commands are list, show
+disc render => unexpected argument 'render' found | tip: the command `render` stands before the other words
+help disc => unrecognized subcommand 'disc'
+render disc -output p.png => -output is no flag: two hyphens begin it, as in --output
+render disc –size=8x6 => –size=8x6 is no flag: two hyphens begin it, as in --size
+—fast => —fast is no flag: two hyphens begin it, as in --fast
 rendr disc => similar subcommands exist: 'report', 'render'
 other.toml => cannot open other.toml: there is no such file
 mine => a07-transforms has no scene "mine"; the nearest is mine.toml

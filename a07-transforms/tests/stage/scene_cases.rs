@@ -20,7 +20,7 @@ fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
     fs::create_dir(at("letters")).unwrap();
-    for name in ["letters/t.obj", "mesh.obj"] {
+    for name in ["letters/t.obj", "line.obj", "mesh.obj"] {
         fs::copy(Path::new("tests/scenes").join(name), at(name)).unwrap();
     }
     fs::write(at("pyramid.obj"), PYRAMID).unwrap();

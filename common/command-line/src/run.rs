@@ -4,8 +4,8 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::ExitCode;
 
-use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, FromArgMatches};
 use common::{Error, Scene, Stage, text};
 
 use crate::Viewer;
@@ -30,7 +30,11 @@ pub fn run_with(
     viewer: Option<Viewer>,
     arguments: impl IntoIterator<Item = OsString>,
 ) -> ExitCode {
-    let outcome = match parse(stage, arguments.into_iter().collect()) {
+    let words = arguments.into_iter().collect::<Vec<_>>();
+    if let Some(problem) = words.iter().find_map(one_hyphen) {
+        return exit_code(Err(Error::Usage(problem)));
+    }
+    let outcome = match parse(stage, words) {
         Ok(line) => execute(stage, viewer, line),
         Err(mut help_or_error) => {
             if let Some(tip) = tip(stage, &help_or_error) {
@@ -43,6 +47,20 @@ pub fn run_with(
     exit_code(outcome)
 }
 
+/// What is wrong with a word that is a flag but for its hyphens: one, which clap reads as a flag of one letter, or a
+/// dash of a text processor.
+fn one_hyphen(word: &OsString) -> Option<String> {
+    let word = word.to_str()?;
+    let flag = word.strip_prefix(['-', '–', '—'])?;
+    let (name, _) = flag.split_once('=').unwrap_or((flag, ""));
+    let is_flag = |command: &clap::Command| {
+        let mut flags = command.get_arguments();
+        flags.any(|argument| argument.get_long() == Some(name))
+    };
+    let is_flag = CommandLine::command().get_subcommands().any(is_flag);
+    is_flag.then(|| format!("{word} is no flag: two hyphens begin it, as in --{name}"))
+}
+
 /// Reads a command line. A scene instead of a command is shown.
 fn parse(stage: &Stage, mut words: Vec<OsString>) -> Result<CommandLine, clap::Error> {
     let parse = |words: &[OsString]| {
@@ -50,9 +68,9 @@ fn parse(stage: &Stage, mut words: Vec<OsString>) -> Result<CommandLine, clap::E
         CommandLine::from_arg_matches(&matches)
     };
     parse(&words).or_else(|error| {
-        if !word(&error, ContextKind::InvalidSubcommand)
-            .is_some_and(|word| names_scene(stage, word))
-        {
+        let wrong = word(&error, ContextKind::InvalidSubcommand);
+        let is_help = words.get(1).is_some_and(|first| first == "help");
+        if is_help || !wrong.is_some_and(|word| names_scene(stage, word)) {
             return Err(error);
         }
         words.insert(1, "show".into());
@@ -85,20 +103,41 @@ fn tip(stage: &Stage, error: &clap::Error) -> Option<String> {
         && error.get(ContextKind::SuggestedSubcommand).is_none();
     if lacks_scene || is_no_command {
         let names: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
-        return Some(format!("the scenes are {}", names.join(", ")));
+        let scenes = format!("the scenes are {}", names.join(", "));
+        if lacks_scene {
+            return Some(scenes);
+        }
+        let line = CommandLine::command();
+        let commands: Vec<_> = line
+            .get_subcommands()
+            .map(clap::Command::get_name)
+            .collect();
+        return Some(format!(
+            "{scenes}; the commands are {}",
+            commands.join(", ")
+        ));
     }
     let takes_one = match error.get(ContextKind::Usage) {
         Some(ContextValue::StyledStr(usage)) => usage.to_string().ends_with(" <SCENE>"),
         _ => false,
     };
-    let more = word(error, ContextKind::InvalidArg).filter(|word| names_scene(stage, word));
-    more.filter(|_| takes_one)
-        .map(|_| "this command takes one scene; `render` takes several".to_owned())
+    let more = word(error, ContextKind::InvalidArg)?;
+    if CommandLine::command().find_subcommand(more).is_some() {
+        return Some(format!(
+            "the command `{more}` stands before the other words"
+        ));
+    }
+    (takes_one && names_scene(stage, more))
+        .then(|| "this command takes one scene; `render` takes several".to_owned())
 }
 
 /// Prints the help, or the mistake in a command line, and returns the exit code.
 #[must_use]
 pub fn print_clap_error(mut help_or_error: clap::Error) -> ExitCode {
+    if help_or_error.kind() == ErrorKind::InvalidUtf8 {
+        let problem = "a name has a letter that is not in UTF-8; give its file another name";
+        return exit_code(Err(Error::Usage(problem.to_owned())));
+    }
     // No scene begins with a hyphen, and clap takes words for similar that have little in common.
     if let Some(ContextValue::StyledStrs(tips)) = help_or_error.remove(ContextKind::Suggested) {
         let tips = tips

@@ -206,7 +206,11 @@ pub fn make_folder(folder: &Path) -> Result<(), Error> {
             path: folder.to_owned(),
             reason: "it is a link to a folder that is not there".to_owned(),
         }),
-        // If a file has this name, the error comes from writing into it.
+        Err(_) if folder.exists() && !folder.is_dir() => Err(Error::Write {
+            path: folder.to_owned(),
+            reason: "it is a file, not a folder".to_owned(),
+        }),
+        // Another program may have made the folder meanwhile.
         Err(error) if !folder.exists() => Err(atomic_file::cannot_write(folder, &error)),
         _ => Ok(()),
     }

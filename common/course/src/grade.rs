@@ -74,6 +74,7 @@ impl Grade {
         }
         self.exercises
             .sort_by_key(|e| course.iter().position(|of| of == *e));
+        self.exercises.dedup();
         let collected = Collected::read(&self.paths, course)?;
         let folder = GradingFolder::new(course, &self.exercises)?;
         if !sheets.is_empty() {

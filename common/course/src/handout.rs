@@ -89,6 +89,7 @@ impl Handout {
             ));
         }
         let mut files = self.workbook(course)?;
+        fs::create_dir_all(folder).map_err(with_path(folder))?;
         files.extend(built_book()?);
         for (path, bytes) in &files {
             let path = folder.join(path);

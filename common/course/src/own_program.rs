@@ -62,6 +62,9 @@ pub fn find(
             continue;
         };
         let list = SheetList::read(text);
+        if list.names.is_empty() {
+            return Err(format!("{}: it names no sheet", file.path_text()));
+        }
         for name in &list.names {
             let named = sheet::find(all, name);
             let named = named.map_err(|problem| format!("{}: {problem}", file.path_text()))?;

@@ -11,7 +11,7 @@ use crate::files;
 const LIST: &str = "exercises/exercises.toml";
 
 /// The least Jaro similarity of a name that may have been meant.
-const LIKE: f64 = 0.75;
+const LIKE: f64 = 0.8;
 
 /// An exercise. Its texts live as long as the program.
 #[derive(Debug, PartialEq, Eq)]
@@ -96,16 +96,23 @@ fn read_row(stage: &'static str, row: &Row) -> Result<Exercise, String> {
     Ok(exercise)
 }
 
-/// The exercise of this name.
+/// The exercise of this name, in small or capital letters, or of this file.
 ///
 /// # Errors
 ///
 /// Fails if there is none; the error is the nearest name, or those of a stage.
-pub fn find(name: &str) -> Result<&'static Exercise, String> {
+pub fn find(word: &str) -> Result<&'static Exercise, String> {
+    if word.is_empty() {
+        return Err(
+            "a name is missing; names in a list have commas and no spaces between".to_owned(),
+        );
+    }
     let course = read_all()?;
-    let stage = format!("{name:0>2}");
-    let is_of_stage =
-        |e: &&Exercise| e.stage[..3] == *name || e.stage[1..3] == stage || e.stage == name;
+    let word = word.to_lowercase().replace('\\', "/");
+    let word = word.trim_end_matches('/').trim_end_matches(".rs");
+    let name = word.rsplit('/').next().unwrap_or_default();
+    let stage = format!("{:0>2}", name.trim_start_matches('a'));
+    let is_of_stage = |e: &&Exercise| e.stage[1..3] == stage || e.stage == name;
     let of_stage: Vec<_> = course.iter().filter(is_of_stage).map(|e| e.name).collect();
     if !of_stage.is_empty() {
         return Err(format!(
@@ -166,8 +173,13 @@ mod tests {
         let lacks = "list.toml, exercise 2 (b): `title` is missing";
         assert!(error.starts_with(lacks), "{error}");
         assert!(find("spere").unwrap_err().ends_with("sphere"));
+        let path = r"a04-intersections\exercises\Sphere.rs";
+        assert_eq!(find(path).unwrap().name, "sphere");
+        for (word, problem) in [("", "a name is missing"), ("stage", "no name is like it")] {
+            assert!(find(word).unwrap_err().contains(problem), "{word}");
+        }
         assert!(find("nosuch").unwrap_err().contains("no name is like it"));
-        for stage in ["1", "01", "a01", "a01-image-display"] {
+        for stage in ["1", "01", "a1", "A01", "./a01-image-display/"] {
             let error = find(stage).unwrap_err();
             assert!(
                 error.starts_with("the exercises of this stage are set_pixel,"),

@@ -164,7 +164,7 @@ fn named(word: &str) -> Result<&'static Exercise, String> {
     };
     let commands = CommandLine::command();
     let mut names = commands.get_subcommands().map(clap::Command::get_name);
-    if let Some(name) = names.find(|name| strsim::jaro(name, word) > ALIKE) {
+    if let Some(name) = names.find(|name| strsim::jaro(name, &word.to_lowercase()) > ALIKE) {
         return Err(format!("the nearest is the command {name}"));
     }
     let has_part = |e: &&Exercise| !word.is_empty() && e.name.contains(&word.replace('-', "_"));
@@ -184,6 +184,7 @@ fn check_first_word() -> Result<(), String> {
     let mut words = env::args().skip(1);
     if let (Some(word), Some(next)) = (words.next(), words.next())
         && !word.starts_with('-')
+        && word != "help"
         && CommandLine::command().find_subcommand(&word).is_none()
     {
         let e = named(&word).map_err(|problem| format!("{}: {problem}", text::name(&word)))?;

@@ -128,6 +128,9 @@ fn pack(zip: &mut ZipArchiveWriter<Vec<u8>>, begun: &[&Exercise]) -> Result<(), 
 
 /// Adds the files of a program, and returns how many there are.
 fn pack_program(zip: &mut ZipArchiveWriter<Vec<u8>>, folder: &Path) -> Result<usize, String> {
+    if !folder.is_dir() {
+        return Err(format!("{} is no folder of a program", text::path(folder)));
+    }
     let folder = fs::canonicalize(folder).map_err(with_path(folder))?;
     if !folder.join(SHEETS).is_file() {
         return Err(format!(

@@ -207,6 +207,8 @@ fn each_step_is_answered() {
             &["own", "hint"],
             "a command stands before the name of its exercise, such as `cargo learn hint own`",
         ),
+        (&["Check"], "the nearest is the command check"),
+        (&["help", "own"], "unrecognized subcommand 'own'"),
         (&["--list"], "unexpected argument '--list'"),
     ] {
         let output = learn(words).output().unwrap();

@@ -4,6 +4,7 @@ use common::text;
 use toml::de::Error as ParserError;
 
 use crate::Error;
+use crate::uses::MAX_LEVELS;
 
 /// What is right where a backslash stands in double quotation marks.
 pub const BACKSLASH: &str = "in double quotation marks \\ begins a special character; write / \
@@ -21,7 +22,12 @@ pub fn mistake(text: &str, error: &ParserError) -> Error {
     for (offset, letter) in line.char_indices() {
         if text::is_unseen(letter) && letter != '\t' {
             let unseen = letter.escape_unicode();
-            let text = format!("here is the character {unseen}, which nobody sees");
+            let instead = match letter {
+                '\r' => "; save the file with line ends LF or CRLF",
+                '\0' => "; save the file as text, in UTF-8",
+                _ => "",
+            };
+            let text = format!("here is the character {unseen}, which nobody sees{instead}");
             return Error::new(line_start + offset, text);
         }
     }
@@ -34,6 +40,10 @@ pub fn mistake(text: &str, error: &ParserError) -> Error {
                 format!("here is the character {letter} instead of {right}"),
             );
         }
+    }
+    if error.message().contains("recur") {
+        let limit = format!("more than {MAX_LEVELS} tables or lists stand inside each other");
+        return Error::new(at, limit);
     }
     let said = error.message().replace('\n', ", ");
     // The parser guesses these words, of which a scene file takes none.
@@ -51,9 +61,7 @@ fn hint(message: &str, line: &str, at: usize) -> Option<&'static str> {
     let value = before.map_or(line, |equals| &line[equals + 1..]).trim();
     let begins_with = |letters: &str| value.starts_with(|first| letters.contains(first));
     let has = |marks: &[&str]| marks.iter().any(|mark| line.contains(mark));
-    if message.contains("recur") {
-        None
-    } else if message.starts_with("duplicate key") {
+    if message.starts_with("duplicate key") {
         Some(
             "it is there already: a key stands once in its table, and a table of which there may be several has two \
              pairs of brackets, such as [[sphere]]",

@@ -39,12 +39,12 @@ impl SceneFile {
         for item in self.lights.iter().chain([&self.camera]) {
             add_tiny_angles(item, &mut tiny);
         }
-        for (mut remarks, kind) in [(bright, "colours"), (tiny, "angles"), (unseen, "tables")] {
+        for mut remarks in [bright, tiny, unseen] {
             remarks.sort_by_key(|error| error.at);
             if let Some(first) = remarks.first() {
                 let more = match remarks.len() {
                     1 => String::new(),
-                    count => format!(", and {} more {kind} are so", count - 1),
+                    count => format!(", and the same holds for {} more", count - 1),
                 };
                 notes.push(format!("{name}:{}{more}", first.within(text)));
             }

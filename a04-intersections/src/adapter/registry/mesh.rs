@@ -37,7 +37,11 @@ impl ShapeKind for Mesh {
         };
         let triangles = mesh.triangles();
         let with_area = triangles.filter_map(|(corners, normals)| triangle(corners, normals).ok());
-        Ok(Self(with_area.collect()))
+        let with_area = with_area.collect::<Vec<_>>();
+        if with_area.is_empty() {
+            return Err(item.error("file", "none of the faces has an area"));
+        }
+        Ok(Self(with_area))
     }
 
     fn content(&self) -> Content<'_> {

@@ -53,6 +53,10 @@ fn programs_are_found_by_their_files() {
             &[program, (two, b"lens glas")],
             "ada/my-tracer/sheet.txt: no sheet is called glas; the nearest is glass",
         ),
+        (
+            &[(two, b"\n")],
+            "ada/my-tracer/sheet.txt: it names no sheet",
+        ),
         (&[("sheet.txt", b"glass")], "ada: it has no Cargo.toml"),
         (&[("sheet.txt", b"glass\nprogram: python3 my.py")], "ada"),
         (
