@@ -66,7 +66,11 @@ pub fn message(text: &str) -> String {
 ///
 /// Fails if the bytes are no such text; the error is a clause that says so.
 pub fn from_file(bytes: Vec<u8>) -> Result<String, String> {
-    if let [0, 1..=255, ..] | [1..=255, 0, ..] | [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] = *bytes {
+    if let [0xFF, 0xFE, ..]
+    | [0xFE, 0xFF, ..]
+    | [0, 1..=255, 0, 1..=255, ..]
+    | [1..=255, 0, 1..=255, 0, ..] = *bytes
+    {
         return Err("it is a text in UTF-16; save it in UTF-8".to_owned());
     }
     let error = match String::from_utf8(bytes) {
@@ -74,6 +78,9 @@ pub fn from_file(bytes: Vec<u8>) -> Result<String, String> {
         Err(error) => error,
     };
     let bytes = error.as_bytes();
+    if bytes.contains(&0) {
+        return Err("it is no text".to_owned());
+    }
     let before = &bytes[..error.utf8_error().valid_up_to()];
     let line = before.split(|byte| *byte == b'\n').count();
     Err(format!(
@@ -203,6 +210,7 @@ mod tests {
             (&b"\xFF\xFEa\0"[..], "UTF-16"),
             (b"a\0b\0", "UTF-16"),
             (b"\0a\0b", "UTF-16"),
+            (b"\x89PNG\r\n\x1A\n\0\0\0\rIHDR", "it is no text"),
             (b"a\nb\xE4", "line 2 has a letter"),
         ] {
             let error = from_file(bytes.to_vec()).unwrap_err();

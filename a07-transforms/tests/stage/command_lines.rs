@@ -1,11 +1,8 @@
 //! Command lines: names that are refused, and the texts that are written.
 
 use std::fs;
-use std::process::{Command, Stdio};
-use std::thread;
-use std::time::Duration;
+use std::process::Command;
 
-use common::{Color, Size, picture_file};
 use tempfile::TempDir;
 
 /// A scene file written by hand.
@@ -124,6 +121,12 @@ fn a_scene_alone_is_shown() {
 #[cfg(unix)]
 #[test]
 fn a_rendering_that_is_stopped_leaves_the_rows_that_are_drawn() {
+    use std::process::Stdio;
+    use std::thread;
+    use std::time::Duration;
+
+    use common::{Color, Size, picture_file};
+
     let folder = tempfile::tempdir().unwrap();
     let white = MINE.replace("[[sphere]]", "[world]\nbackground = \"white\"\n[[sphere]]");
     fs::write(folder.path().join("mine.toml"), white).unwrap();

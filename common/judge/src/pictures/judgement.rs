@@ -228,9 +228,13 @@ impl Judgement<'_> {
     /// The errors of the sheet's pictures at each number of samples, or why there are none.
     pub fn precision(&self) -> Result<Precision<'_>, String> {
         let none = || {
-            let name = &self.sheet.name;
+            let Sheet { name, timed, .. } = self.sheet;
+            let time = match timed {
+                Some(_) => ", and its time once they all hold",
+                None => "",
+            };
             format!(
-                "{name} has no error that falls with samples; without --report, its facts are asked"
+                "{name} has no error that falls with samples; without --report, its facts are asked{time}"
             )
         };
         let fact = self.sheet.fact_with_theory().ok_or_else(none)?;
