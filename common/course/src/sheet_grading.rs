@@ -188,7 +188,7 @@ fn judge_program(
     }
     Ok(Outcome {
         state,
-        message: format!("{passed} of {all} facts hold\n{report}"),
+        message: format!("{}\n{report}", judgement.summary()),
         fraction: passed as f64 / all as f64,
         mistake: judgement.mistake(),
         pictures: files,

@@ -54,6 +54,11 @@ fn a_picture_of_one_color_has_no_fact() {
             let draw = |size| Image::from_fn(size, |_, _| color).unwrap();
             let judgement = judged(&sheet, folder.path(), &draw);
             assert_eq!(judgement.passed(), 0, "{color:?}: {}", judgement.report());
+            let summary = judgement.summary();
+            assert!(
+                summary.starts_with("0 of ") || summary.ends_with(" hold, and none counts yet"),
+                "{summary}"
+            );
         }
     }
 }

@@ -209,10 +209,9 @@ fn judge_own_program(sheet: &Sheet, program: &OwnProgram, facts: Facts) -> Resul
     let judgement = program.judge(sheet, facts)?;
     print(&Screen::new().wrap(&judgement.report()))?;
     let words = format!(
-        "{}: {} of {} facts hold; the pictures are in {}",
+        "{}: {}; the pictures are in {}",
         sheet.name,
-        judgement.passed(),
-        sheet.facts.len(),
+        judgement.summary(),
         text::path(&program.pictures),
     );
     if judgement.first_failure().is_some() {

@@ -104,20 +104,38 @@ pub fn ask_facts<'a>(
 }
 
 impl Judgement<'_> {
-    /// The number of facts that hold. They count only if pictures of one colour would not fulfil them all.
+    /// The number of facts that hold and count: pictures of one colour must not fulfil them all.
     #[must_use]
     pub fn passed(&self) -> usize {
+        let right = self.right();
+        if right.iter().any(|fact| fact.quantity.needs_two_colors()) {
+            right.len()
+        } else {
+            0
+        }
+    }
+
+    /// How many facts hold, in words.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        let [right, all] = [self.right().len(), self.states.len()];
+        let count = match right {
+            0 => "",
+            _ if self.passed() > 0 => "",
+            _ => ", and none counts yet",
+        };
+        format!("{right} of {all} facts hold{count}")
+    }
+
+    /// The facts that hold.
+    pub(crate) fn right(&self) -> Vec<&Fact> {
         let mut right = Vec::new();
         for (fact, state) in self.sheet.facts.iter().zip(&self.states) {
             if let State::Right(_) = state {
                 right.push(fact);
             }
         }
-        if right.iter().any(|fact| fact.quantity.needs_two_colors()) {
-            right.len()
-        } else {
-            0
-        }
+        right
     }
 
     /// The first fact that does not hold.

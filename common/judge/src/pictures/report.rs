@@ -105,9 +105,18 @@ impl Judgement<'_> {
             };
             let _ = writeln!(list, "{word:9}  {:longest$}  {}", fact.name, fact.says);
         }
-        let is_right = |state: &State| matches!(state, State::Right(_));
-        if self.passed() == 0 && self.states.iter().any(is_right) {
-            list += "None of them counts yet: a picture of one colour fulfils them, too.\n";
+        if self.passed() == 0 && !self.right().is_empty() {
+            let mut counting = Vec::new();
+            for fact in &self.sheet.facts {
+                if fact.quantity.needs_two_colors() {
+                    counting.push(&*fact.name);
+                }
+            }
+            let _ = writeln!(
+                list,
+                "None counts before one of these holds, because pictures of one colour fulfil the others: {}",
+                counting.join(", ")
+            );
         }
         list
     }
