@@ -135,7 +135,8 @@ fn no_key_of_a_material_is_left_out_by_the_stages_that_know_it() {
                 let is_written = written.contains(&(*key, numbers.clone()));
                 assert!(
                     is_written,
-                    "stage {stage} leaves out {key}, which keys.md allows here:\n{text}"
+                    "stage {stage} leaves out {key}: `read` and `content` lack it, or a key here is not \
+                    \"instead of\" it in keys.md:\n{text}"
                 );
                 *seen.entry(*key).or_insert(0) += 1;
             }
