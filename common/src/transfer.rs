@@ -40,6 +40,14 @@ impl Transfer {
         }
     }
 
+    /// The red, green and blue bytes of these colours.
+    pub fn rgb8(self, colors: &mut dyn Iterator<Item = Color>) -> Vec<u8> {
+        let colors = colors.collect::<Vec<_>>();
+        let mut rgb = vec![0; 3 * colors.len()];
+        self.write_rgb8(&colors, &mut rgb);
+        rgb
+    }
+
     /// The packed 0xRRGGBB pixel to show for a colour of linear light.
     #[must_use]
     pub fn pack(self, color: Color) -> u32 {

@@ -1,6 +1,5 @@
 //! `render`: renders scenes into PNG files.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::slice;
 use std::thread;
@@ -43,7 +42,7 @@ pub fn render_to_files(
             work::explain(scene, &settings, options)?;
         }
         let start = Instant::now();
-        let keep = |rows: &_| target.keep_rows(stage, scene, settings.size, rows);
+        let keep = |rgb: &_| target.keep_rows(stage, scene, settings.size, rgb);
         let image = render(scene, &settings, options, keep)?;
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
@@ -109,7 +108,7 @@ pub fn render(
     scene: &Scene,
     settings: &Settings,
     options: &Options,
-    keep: impl FnOnce(&BTreeMap<u32, Vec<u8>>) -> Result<(), Error>,
+    keep: impl FnOnce(&[u8]) -> Result<(), Error>,
 ) -> Result<Image, Error> {
     let progress = TerminalProgress::new(scene.name, settings);
     if scene.uses.sampling && settings.renderer == Renderer::Lesson && !scene.is_large {
@@ -118,9 +117,9 @@ pub fn render(
     let threads = options.thread_pool()?;
     let rendered = stoppable(|| threads.install(|| scene.render(settings, &progress)));
     let samples = progress.samples();
-    let rows = progress.rows();
+    let rgb = progress.rgb();
     if matches!(rendered, Err(Error::Stopped)) {
-        keep(&rows)?;
+        keep(&rgb)?;
     }
     let image = rendered?;
     let name = scene.name;

@@ -1,6 +1,5 @@
 //! Where pictures and texts are written: `Target` for pictures, `write_text` for a text.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -82,19 +81,16 @@ impl Target {
         stage: &Stage,
         scene: &Scene,
         size: Size,
-        rows: &BTreeMap<u32, Vec<u8>>,
+        rgb: &[u8],
     ) -> Result<(), Error> {
-        if rows.is_empty() {
+        if rgb.is_empty() {
             return Ok(());
         }
         let path = self.path(stage, scene);
         let folder = path.parent().unwrap_or(&path);
         make_folder(folder)?;
-        let black = vec![0; 3 * size.width() as usize];
-        let rows = (0..size.height()).map(|y| rows.get(&y).unwrap_or(&black));
-        let bytes = rows.flatten().copied().collect::<Vec<_>>();
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
-        let path = save_beside_others(folder, &format!("{name}-unfinished"), size, &bytes)?;
+        let path = save_beside_others(folder, &format!("{name}-unfinished"), size, rgb)?;
         let path = text::path(&path);
         warn(&format!("note: {path} has the rows that were drawn"));
         Ok(())

@@ -1,12 +1,11 @@
 //! `TerminalProgress`: the progress bar of a rendering, on the terminal.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use common::{Color, Progress, SamplingReport, Settings, Transfer, text};
+use common::{Color, Progress, SamplingReport, Settings, Size, Transfer, text};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use crate::interruption;
@@ -18,8 +17,9 @@ pub struct TerminalProgress {
     bar: ProgressBar,
     sampled: OnceLock<SamplingReport>,
     transfer: Transfer,
-    /// The bytes of the rows that are drawn.
-    rows: Mutex<BTreeMap<u32, Vec<u8>>>,
+    size: Size,
+    /// The bytes of the picture so far; none before the first row.
+    rgb: Mutex<Vec<u8>>,
 }
 
 impl TerminalProgress {
@@ -31,7 +31,8 @@ impl TerminalProgress {
             bar,
             sampled: OnceLock::new(),
             transfer: settings.transfer,
-            rows: Mutex::default(),
+            size: settings.size,
+            rgb: Mutex::default(),
         }
     }
 
@@ -50,10 +51,10 @@ impl TerminalProgress {
         let _ = thread::Builder::new().spawn(wait);
     }
 
-    /// The bytes of the rows that are drawn, by their numbers.
-    pub fn rows(self) -> BTreeMap<u32, Vec<u8>> {
-        let mut rows = self.rows.lock().unwrap_or_else(PoisonError::into_inner);
-        std::mem::take(&mut rows)
+    /// The bytes of the picture so far, where rows that are not drawn are black; none before the first row.
+    pub fn rgb(self) -> Vec<u8> {
+        let mut rgb = self.rgb.lock().unwrap_or_else(PoisonError::into_inner);
+        std::mem::take(&mut rgb)
     }
 
     /// The statistics of adaptive sampling, if there was any.
@@ -137,11 +138,13 @@ pub fn set_fraction(bar: &ProgressBar, fraction: f64) {
 
 impl Progress for TerminalProgress {
     fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
-        let row = pixels
-            .flat_map(|color| self.transfer.bytes(color))
-            .collect();
-        let mut rows = self.rows.lock().unwrap_or_else(PoisonError::into_inner);
-        rows.insert(y, row);
+        let row = self.transfer.rgb8(pixels);
+        let start = y as usize * 3 * self.size.width() as usize;
+        let mut rgb = self.rgb.lock().unwrap_or_else(PoisonError::into_inner);
+        rgb.resize(3 * self.size.pixels(), 0);
+        if let Some(place) = rgb.get_mut(start..start + row.len()) {
+            place.copy_from_slice(&row);
+        }
         self.bar.inc(1);
     }
 
@@ -166,8 +169,6 @@ impl Drop for TerminalProgress {
 
 #[cfg(test)]
 mod tests {
-    use common::Size;
-
     use super::*;
 
     #[test]
@@ -207,7 +208,8 @@ mod tests {
         progress.sampled(&SamplingReport::default());
         assert_eq!(progress.samples(), Some(SamplingReport::default()));
         assert!(!bar.is_finished());
-        assert_eq!(progress.rows()[&2], [255, 0, 0].repeat(3));
+        let with_row = [[0; 18].as_slice(), &[255, 0, 0].repeat(3), &[0; 9]].concat();
+        assert_eq!(progress.rgb(), with_row);
         assert!(bar.is_finished());
     }
 }
