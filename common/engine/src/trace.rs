@@ -85,7 +85,9 @@ impl Tracer<'_> {
             }
         }
         for (path, light) in batch.paths.iter().zip(light.chunks_mut(4)) {
-            light.copy_from_slice(&path.color.to_lanes()[..light.len()]);
+            for (light, color) in light.iter_mut().zip(path.color.to_lanes()) {
+                *light = color;
+            }
         }
     }
 

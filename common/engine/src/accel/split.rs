@@ -44,14 +44,18 @@ pub(super) fn at_median(items: &mut [Item]) -> usize {
 pub(super) fn by_sah(items: &mut [Item]) -> Option<usize> {
     let binning = Binning::new(centroid_bounds(items), items.len().min(BINS));
     let bins = binning.fill(items);
-    let (_, axis, split) = (0..3)
-        .flat_map(|axis| {
-            costs(&bins[axis][..binning.count]).map(move |(cost, split)| (cost, axis, split))
-        })
-        .min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let mut best: Option<(f32, usize, usize)> = None;
+    for (axis, bins) in bins.iter().enumerate() {
+        for (cost, split) in costs(&bins[..binning.count]) {
+            if best.is_none_or(|(least, ..)| cost < least) {
+                best = Some((cost, axis, split));
+            }
+        }
+    }
+    let (_, axis, split) = best?;
     let (mut left, mut right) = (0, items.len());
     while left < right {
-        if binning.bins(&items[left])[axis] < split {
+        if binning.bin(&items[left], axis) < split {
             left += 1;
         } else {
             right -= 1;
@@ -125,21 +129,19 @@ impl Binning {
         }
     }
 
-    /// The bin of a shape along each axis.
+    /// The bin of a shape along an axis.
     #[inline]
-    fn bins(&self, item: &Item) -> [usize; 3] {
-        let centroid = item.bounds.doubled_centroid();
-        std::array::from_fn(|axis| {
-            let bin = (centroid[axis] - self.origin[axis]) * self.bins_per_length[axis];
-            (bin as usize).min(self.count - 1)
-        })
+    fn bin(&self, item: &Item, axis: usize) -> usize {
+        let centroid = item.bounds.doubled_centroid()[axis];
+        let bin = (centroid - self.origin[axis]) * self.bins_per_length[axis];
+        (bin as usize).min(self.count - 1)
     }
 
     fn fill(&self, items: &[Item]) -> [[Bin; BINS]; 3] {
         let mut all = [[Bin::EMPTY; BINS]; 3];
         for item in items {
-            for (bins, bin) in all.iter_mut().zip(self.bins(item)) {
-                let bin = &mut bins[bin];
+            for (axis, bins) in all.iter_mut().enumerate() {
+                let bin = &mut bins[self.bin(item, axis)];
                 bin.count += 1;
                 bin.bounds = bin.bounds.union(item.bounds);
             }

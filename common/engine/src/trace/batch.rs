@@ -2,7 +2,7 @@
 
 use common::Color;
 
-use crate::accel::{NearestHits, Occluder, Query};
+use crate::accel::{NearestHits, Occluder, PACKETS, Query};
 use crate::lanes::{ColorPacket, RayPacket, Simd};
 use crate::shade::{IlluminationPacket, PhongPacket};
 
@@ -48,10 +48,10 @@ impl<S: Simd> Batch<S> {
         Self {
             simd,
             occluders: Vec::new(),
-            paths: Vec::new(),
-            queries: Vec::new(),
-            vertices: Vec::new(),
-            light: Vec::new(),
+            paths: Vec::with_capacity(PACKETS),
+            queries: Vec::with_capacity(PACKETS),
+            vertices: Vec::with_capacity(PACKETS),
+            light: Vec::with_capacity(PACKETS),
         }
     }
 

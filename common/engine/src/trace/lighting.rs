@@ -9,7 +9,7 @@ use super::batch::{Batch, Vertex};
 use super::{Tracer, offset_rays};
 use crate::accel::{NearestHits, Query};
 use crate::lanes::{ColorPacket, RayPacket, bits, bits_of};
-use crate::shade::PhongPacket;
+use crate::shade::{IlluminationPacket, PhongPacket};
 use crate::{Phong, Shading};
 
 /// A surface that scatters no light, for lanes that another formula shades.
@@ -81,23 +81,23 @@ impl Tracer<'_> {
         queries.clear();
         for (at, vertex) in vertices.iter().enumerate() {
             let (rays, hit) = (&paths[vertex.path].rays, &vertex.hits.hit);
-            let mut of_source = source.illuminate(rays.at(hit.t), vertex.hits.hit_mask);
+            let of_source = source.illuminate(rays.at(hit.t), vertex.hits.hit_mask);
+            let mut lit = of_source.lit;
             if self.omits(Omission::UnreflectedLight) {
-                of_source.lit &= vertex.material.reflects(of_source.color);
+                lit &= vertex.material.reflects(of_source.color);
             }
             let facing = hit.normal.dot(of_source.direction).simd_gt(0.0);
             if self.omits(Omission::LightsBehind) {
-                of_source.lit &= bits_of(facing);
+                lit &= bits_of(facing);
             }
-            if of_source.lit == 0 {
+            if lit == 0 {
                 continue;
             }
             if sends_rays {
-                steps::count(StepKind::ShadowRay, of_source.lit.count_ones().into());
+                steps::count(StepKind::ShadowRay, lit.count_ones().into());
                 let to_light = offset_rays(rays, hit, of_source.direction);
                 let offset = hit.rounding_error(rays);
                 let distance = of_source.distance;
-                let lit = of_source.lit;
                 queries.push(Query::shadow(
                     &to_light,
                     offset,
@@ -106,7 +106,8 @@ impl Tracer<'_> {
                     ends_at_first,
                 ));
             }
-            light.push((at, of_source));
+            // Copied field by field: as a whole, it would be moved by a call.
+            light.push((at, IlluminationPacket { lit, ..of_source }));
         }
         self.accelerator.traverse(queries, &mut occluders[i]);
         if source.casts_shadows {
