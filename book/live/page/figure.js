@@ -117,7 +117,9 @@ live.Figure = class {
         this.sliders = Object.entries(this.figure.sliders ?? {}).map(([name, { label, ...range }]) => {
             const control = live.control(label, range, (value) => this.set({ [name]: value }));
             sliders.append(control.element);
-            return () => control.show(this.state[name], live.show(this.state[name]));
+            const show = () => control.show(this.state[name], live.show(this.state[name]));
+            show();
+            return show;
         });
         return sliders;
     }

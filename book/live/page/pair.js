@@ -8,7 +8,7 @@ live.Pair = class {
         this.canvas = live.element('canvas', { role: 'img', 'aria-label': image.alt });
         const label = 'how much of the wrong picture lies over the right one';
         this.slider = live.element('input', { type: 'range', min: 0, max: 100, value: 50, 'aria-label': label, oninput: () => this.draw() });
-        const row = live.element('label', {}, 'wrong ', this.slider, ' right');
+        const row = live.element('label', {}, 'left of the line wrong ', this.slider, ' right of it as it should be');
         after.after(live.element('figure', { className: 'live-pair' }, this.canvas, row));
         image.decode().then(() => this.draw(), () => {});
         live.stillOf(image);

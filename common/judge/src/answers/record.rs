@@ -96,9 +96,15 @@ impl Record {
     pub fn read(text: &str) -> Result<Self, String> {
         let mut reader = Reader::default();
         for (number, line) in (1..).zip(text.lines()) {
-            reader
-                .read_line(line)
-                .ok_or_else(|| format!("line {number} is no line of a record: {line}"))?;
+            if reader.read_line(line).is_none() {
+                let above = match &*reader.next.words {
+                    "" => ", or the line of its `words` is not above it",
+                    _ => "",
+                };
+                return Err(format!(
+                    "line {number} is no line of a record{above}: {line}"
+                ));
+            }
         }
         Ok(Self {
             below: reader.next.above,
@@ -226,11 +232,17 @@ other 0.1 | 4294967295 = \"none\" ~ rounding decides
         }
         "1 2 x".clone_into(&mut line.arguments);
         assert!(line.read::<Vec<f64>>().is_err());
-        for line in ["simple 1", "m1 = 0", "smple 1 2 3"] {
-            let error = Record::read(line)
+        let above = ", or the line of its `words` is not above it";
+        for (text, line, above) in [
+            ("simple 1", 1, above),
+            ("m1 = 0", 1, above),
+            ("words the vector {}\nsmple 1 2 3", 2, ""),
+        ] {
+            let error = Record::read(text)
                 .map(|record| record.questions)
                 .unwrap_err();
-            assert!(error.contains("is no line of a record"), "{error}");
+            let says = format!("line {line} is no line of a record{above}: ");
+            assert!(error.starts_with(&says), "{error}");
         }
     }
 }
