@@ -141,7 +141,9 @@ impl Progress for TerminalProgress {
         let row = self.transfer.rgb8(pixels);
         let start = y as usize * 3 * self.size.width() as usize;
         let mut rgb = self.rgb.lock().unwrap_or_else(PoisonError::into_inner);
-        rgb.resize(3 * self.size.pixels(), 0);
+        if rgb.is_empty() {
+            *rgb = vec![0; 3 * self.size.pixels()];
+        }
         if let Some(place) = rgb.get_mut(start..start + row.len()) {
             place.copy_from_slice(&row);
         }
