@@ -2,7 +2,7 @@
 // and of ours over the whole range, and under the knob all digits and a picture.
 live.Extremes = class {
     // Where the powers of ten and the errors lie in the drawing: from below 1 ulp to no answer.
-    static area = { x: [-1.5, 11.2], y: [-1.1, 7.6] };
+    static area = { x: [-1.8, 11.7], y: [-1, 7.7] };
     static errors = { ulp: [-1, 17], radii: [-17, 1] };
     static none = 6.8;
 
@@ -35,7 +35,7 @@ live.Extremes = class {
         const answer = await live.ask('sweeps');
         const ranges = live.rows(answer, 'range');
         this.problems = live.lines(answer.text).map((problem, index) => ({ ...problem, ...ranges[index] }));
-        this.problem.append(...this.problems.map(({ parameter }, value) => live.element('option', { value }, parameter)));
+        this.problem.append(...this.problems.map(({ parameter }, value) => live.element('option', { value }, parameter.replace(/,.*| of radius 1$/, ''))));
         await this.choose();
     }
 
@@ -152,6 +152,7 @@ live.Extremes = class {
         const y = (error) => (Number.isFinite(error) ? ((Math.min(Math.max(Math.log10(error), least), most) - least) / (most - least)) * top : none);
         const places = (list) => list.map((error, index) => [x(errors.powers[index]), y(error)]);
         const at = this.place(power);
+        pen.line([x(power), 0], [x(power), none], 'ink');
         pen.path([[0, 0], ...places(errors.allowed), [10, 0]], 'pale a', true);
         const levels = now.unit === 'ulp'
             ? { '1 ulp': 1, '10⁴': 1e4, half: errors.broken[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity }
@@ -174,7 +175,6 @@ live.Extremes = class {
         }
         curve(errors.ours, 'c', 'ours', none - 2.2);
         pen.text([0.2, none - 2.8], 'allowed', 'a');
-        pen.line([x(power), 0], [x(power), none], 'ink');
         this.drawing.show(pen);
         this.drawing.svg.setAttribute('aria-label', `Errors in ${now.unit} against the ${now.parameter}; here ours ${this.off(errors.ours[at])}`);
     }

@@ -8,7 +8,7 @@ live.LeftOut = class {
         const linked = live.linkedScene();
         const own = linked ? [[linked, 'the scene of the editor']] : [];
         const { textContent } = document.querySelector('main code.language-toml');
-        const scenes = live.LeftOut.scenes.map((name) => [name, name]);
+        const scenes = live.LeftOut.scenes.map((name) => [name, name.replace(/-(lighting|shadows-reflection|transforms)-/, ' ')]);
         this.scene = live.select('scene', [...own, ...scenes, [`file\n${textContent}`, 'a hundred balls, as below']], () => this.open());
         this.engine = live.element('input', { type: 'checkbox', onchange: () => this.open() });
         this.question = live.div('live-asked');
@@ -18,7 +18,7 @@ live.LeftOut = class {
         this.bytes = live.element('output');
         this.counts = live.element('table', { className: 'live-counts' });
         this.run = new live.Run('time it, in turns', () => this.compare());
-        const hint = 'For a scene of your own, follow the link “what does it leave out?” of the editor. Counted in a picture of at most 96 pixels in width, with the scene’s samples and depth, as the command “render --explain” counts: the switches go off one after the other, from the first, so that what they save adds up to all work. Where two of them leave out the same ray, the later one has it.';
+        const hint = 'For a scene of your own, follow the link “what does it leave out?” of the editor. Counted in a picture of at most 96 pixels in width, with the scene’s samples and depth, as the command “render --explain” counts: the switches go off one after the other, from the first, so that what they save adds up to all work. Where two of them leave out the same ray, the later one has it. Times are medians, with the interval that holds the true one with 95 % in this run.';
         this.root = live.panel('Switch it off', live.fold('How it is counted', hint),
             live.div('live-controls', this.scene, ' ', live.element('label', {}, this.engine, ' by the engine')),
             this.question,
@@ -71,7 +71,7 @@ live.LeftOut = class {
     }
 
     inWords(counts) {
-        const words = this.kinds.flatMap((kind, index) => (counts[index] ? [`${counts[index].toLocaleString('en')} ${kind}`] : []));
+        const words = this.kinds.flatMap((kind, index) => (counts[index] ? [`${counts[index].toLocaleString('en')} ${kind.replace('intersection ', '')}`] : []));
         return words.join(', ') || 'nothing';
     }
 
@@ -136,7 +136,7 @@ live.LeftOut = class {
             quotients = lines.map(({ quotient }) => (/^no /.test(quotient) ? `makes ${quotient}` : `takes ${quotient} times as long`));
         });
         const beside = this.engine.checked ? 'by the lesson' : 'with all switches on';
-        return `Beside the picture ${beside} (${live.time(base)}): yours ${quotients[1]}; all work ${quotients[2]}. Medians, with the interval that holds the true one with 95 % in this run; ${[measured, ...this.run.doubts()].join('. ')}`;
+        return `Beside the picture ${beside} (${live.time(base)}): yours ${quotients[1]}; all work ${quotients[2]}; ${[measured, ...this.run.doubts()].join('. ')}`;
     }
 };
 

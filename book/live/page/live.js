@@ -172,14 +172,16 @@ live.select = (label, choices, onchange) =>
 live.fold = (summary, ...content) => live.element('details', {}, live.element('summary', {}, summary), ...content);
 
 // A question with a button for each choice. `answer` gets the number of the choice; what it says ends the question,
-// and the choice alone remains.
+// and the choice alone remains. It keeps the focus.
 live.question = (text, choices, answer) => {
     const verdict = live.element('output');
     const buttons = choices.map((choice, chosen) => live.button(choice, () => {
+        if (verdict.value) {
+            return;
+        }
         verdict.value = answer(chosen) ?? '';
         buttons.forEach((button, index) => {
-            button.disabled = verdict.value !== '';
-            button.hidden = button.disabled && index !== chosen;
+            button.hidden = verdict.value !== '' && index !== chosen;
             button.classList.toggle('live-chosen', index === chosen);
         });
     }));
@@ -239,7 +241,7 @@ live.stillOf = (image) => image.closest('p').classList.add('live-still');
 addEventListener(
     'keydown',
     (event) => {
-        if (event.key !== 'Escape' && event.target.closest?.('.live-controls, .live-pair, .live-editor textarea')) {
+        if (event.key !== 'Escape' && event.target.closest?.('.live-controls, .live-question, .live-pair, .live-editor textarea')) {
             event.stopPropagation();
         }
     },

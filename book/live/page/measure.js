@@ -23,11 +23,11 @@ live.Measure = class {
             live.newest((error) => this.answer(error), ({ message }) => this.say(message)));
         const hint = 'Farther left is faster, farther down more exact. Thin: recorded on another machine; before your guess only what one sample per pixel costs. A bar is an interval of 95 %, of a time in this run; large marks are on the Pareto front. A browser tells the time on the wall, in which your machine may do other work, too. '
             + 'Drag the line to the error that you want, or move it by the arrow keys; point at a mark, or go to it by Tab and arrow keys, to see its picture.';
-        this.root = live.panel('Which method reaches your error soonest, here?', live.fold('How to read it', hint),
+        this.root = live.panel('What reaches your error soonest?', live.fold('How to read it', hint),
             live.div('live-controls', this.subject, ' ', this.methods),
             this.question,
             live.div('live-controls', ...this.run.controls),
-            live.div('live-drawings', this.diagram.svg, live.div('live-told', this.verdict, this.slopes, this.shown)));
+            live.div('live-drawings', this.diagram.svg, live.div('live-told', this.verdict, this.slopes), this.shown));
         before.before(this.root);
         addEventListener('hashchange', () => this.open());
         this.choose();
@@ -122,7 +122,7 @@ live.Measure = class {
     // Which method reaches an error soonest, with how many samples, and how sure that is.
     async answer(error) {
         if (!this.points.length) {
-            const rings = this.recorded.length ? 'Each ring is one sample per pixel, as recorded on another machine: farther left is faster, farther down more exact.' : '';
+            const rings = this.recorded.length ? 'Each ring is one sample per pixel, as recorded on another machine: farther left is faster, farther down more exact.' : 'Nothing is recorded here: guess, and measure.';
             return this.say(this.guess ? 'Now measure on your machine.' : rings);
         }
         const reach = await this.run.module.ask('measure soonest', [error]);
@@ -138,14 +138,19 @@ live.Measure = class {
         const others = names.filter((_, index) => reached.every(({ curve }) => curve !== index));
         const sure = {
             0: 'no measured method reaches it.',
-            1: `${soonest[0]} is soonest (${verdict}): ${reached.length > 1 ? 'the intervals of the others begin more than a factor of 1.2 behind the end of its own' : 'no other method reaches it'}.`,
+            1: `${soonest[0]} is soonest${this.isSure ? '' : ' so far'} (${verdict}): ${reached.length > 1 ? 'the intervals of the others begin more than a factor of 1.2 behind the end of its own' : 'no other method reaches it'}.`,
         }[ties] ?? `${soonest.join(' or ')} (${verdict}): the interval of ${soonest[0]} overlaps the others, or ends less than a factor of 1.2 before they begin.`;
         return this.say(`An error of ${live.digits(error)}: ${sure}`, costs, [...(others.length ? [`Not reached by ${others.join(', ')}.`] : []), ...this.run.doubts()].join(' '));
     }
 
+    // Whether times have their intervals.
+    get isSure() {
+        return this.points.length && this.run.rounds >= 6;
+    }
+
     // A verdict, what the methods cost, and what is left to say.
     say(verdict, costs = [], rest = '') {
-        this.verdict.replaceChildren(live.element('strong', {}, verdict), live.element('ul', {}, ...costs.map((cost) => live.element('li', {}, cost))), rest);
+        this.verdict.replaceChildren(live.element(this.isSure ? 'strong' : 'span', {}, verdict), live.element('ul', {}, ...costs.map((cost) => live.element('li', {}, cost))), rest);
     }
 
     // The picture of a point, and its error.
@@ -153,7 +158,7 @@ live.Measure = class {
         const answer = await this.run.module.ask('measure picture', [point.curve, point.index]);
         this.shown.hidden = false;
         live.paint(this.canvas, answer);
-        this.caption.textContent = `${point.words}. At the right its error, ${answer.factor[0]} times: grey is right, lighter too bright, darker too dark.`;
+        this.caption.textContent = `${point.words}. At the right its error, ${answer.factor[0]} times: grey is right, lighter too bright.`;
     }
 };
 

@@ -115,11 +115,11 @@ live.Run = class {
 
     // What makes the times less sure.
     doubts() {
-        const clock = `The clock of this browser has steps of ${live.digits(this.tick)} ms`;
+        const clock = `This browser’s clock has steps of ${live.digits(this.tick)} ms`;
         return [
             this.rounds < 6 && `After ${live.count(this.rounds, 'round')}: an interval of 95 % takes six.`,
             this.isTooShort ? `${clock}, too coarse for the shortest runs.`
-                : this.tick >= 1 && `${clock}, so each run is repeated for ${live.digits(this.least)} ms.`,
+                : this.tick >= 1 && `${clock}: each run is repeated for ${live.digits(this.least)} ms.`,
         ].filter(Boolean);
     }
 };

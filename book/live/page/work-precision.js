@@ -31,15 +31,15 @@ live.WorkPrecision = class {
         live.keys(this.handle, live.arrows((right, up) => this.want(this.wanted + 0.02 * (right + up))));
     }
 
-    // Places the line at the logarithm of an error.
+    // Places the line at the logarithm of an error, above the words of the times, which its handle would cover.
     want(power) {
-        const [low, high] = this.area.y;
+        const { scale } = this.drawing.pen;
+        const [low, high] = [this.area.y[0] + 50 / scale, this.area.y[1]];
         this.wanted = Math.min(Math.max(power, low), high);
         const error = 10 ** this.wanted;
         const [left, right] = this.area.x;
-        const { scale } = this.drawing.pen;
         this.drawing.place(this.line, [left, this.wanted]);
-        this.drawing.place(this.words, [right - 46 / scale, this.wanted]);
+        this.drawing.place(this.words, [right - 54 / scale, this.wanted]);
         this.drawing.place(this.handle, [right - 26 / scale, this.wanted]);
         this.words.textContent = `I want ${live.digits(error)}`;
         const said = { 'aria-valuemin': 10 ** low, 'aria-valuemax': 10 ** high, 'aria-valuenow': error, 'aria-valuetext': live.digits(error) };
@@ -51,14 +51,13 @@ live.WorkPrecision = class {
     // their ends. The axes hold all of them.
     draw(recorded, points) {
         const all = [...recorded, ...points];
-        this.area = {
-            x: live.WorkPrecision.range(all.map(({ seconds }) => seconds), 2.6, [1e-3, 1]),
-            y: live.WorkPrecision.range([...all.map(({ error }) => error), 1 / 510], 1.6, [1e-4, 0.1]),
-        };
+        const [low, high] = live.WorkPrecision.range([...all.map(({ error }) => error), 1 / 510], 1.6, [1e-4, 0.1]);
+        // Wider than high, for a phone.
+        const x = live.WorkPrecision.range(all.map(({ seconds }) => seconds), Math.max(2.6, 1.4 * (high - low)), [1e-3, 1]);
+        // Below all that may be wanted there is room for the words of the times.
+        this.area = { x, y: [low + 0.15 - 50 * (x[1] - x[0]) / live.Pen.width, high] };
         const pen = new live.Pen(this.area);
         const powers = ([low, high]) => Array.from({ length: Math.floor(high) - Math.ceil(low) + 1 }, (_, index) => Math.ceil(low) + index);
-        pen.grid(0, powers(this.area.x).map((power) => [power, power < this.area.x[1] - 0.4 && live.time(10 ** power)]));
-        pen.grid(1, powers(this.area.y).map((power) => [power, `error ${10 ** power}`]));
         const { methods } = live.WorkPrecision;
         for (const [index, method] of methods.entries()) {
             const of = (list) => list.filter((point) => point.method === method && point.error > 0).map(live.WorkPrecision.place);
@@ -71,6 +70,9 @@ live.WorkPrecision = class {
                 }
             }
         }
+        // Over the curves.
+        pen.grid(0, powers(x).map((power) => [power, power < x[1] - 0.4 && live.time(10 ** power)]));
+        pen.grid(1, powers([low + 0.15, high]).map((power) => [power, power < high - 0.25 && `error ${10 ** power}`]));
         this.drawing.show(pen);
         const focused = [...this.points.children].indexOf(document.activeElement);
         this.points.replaceChildren(...points.map((point, index) => this.mark(point, index)));

@@ -491,6 +491,12 @@ async function tryPages() {
     for (const page of pages) {
         await open(page);
         await tryWidths(page, 390);
+        // With its hint folded, a figure fits the screen.
+        const high = await chromium.value(`[...document.querySelectorAll('main .live-figure')].map((figure) => {
+            figure.querySelectorAll('details').forEach((fold) => (fold.open = false));
+            return figure.offsetHeight;
+        })`);
+        expect(high.every((height) => height <= 844), `${page}: figures are ${high} pixels high on a phone`);
         for (const name of await chromium.value('Object.keys(live.figures)')) {
             const figure = `live.figures['${name}']`;
             await chromium.middle(`${figure}.root`);

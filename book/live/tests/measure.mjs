@@ -39,6 +39,7 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
     await press('run.start');
     await chromium.until(`/^Guess first/.test(${figure}.run.status.value)`);
     await press(`question.querySelector('button')`);
+    expect(await value(`question.contains(document.activeElement)`), `${page}: an answer loses the focus`);
     expect((await curves()) === 4, `${page}: no recorded curves after the guess`);
     await shot('measure-recorded', `${figure}.root`);
     for (const [subject, names] of settings) {
@@ -89,6 +90,14 @@ export async function tryMeasure({ chromium, expect, open, shot, run, stage }) {
         await chromium.drag(`${figure}.diagram.handle`, 0, -30);
         expect((await value('diagram.wanted')) > dragged, `${subject}: the line does not answer a drag`);
         expect(/samples? per pixel, .* rounds?: an interval of 95 % takes six/.test(await verdict()), `${subject}: says ${await verdict()}`);
+        expect(!(await value(`verdict.querySelector('strong')`)), `${subject}: a verdict of less than six rounds is bold`);
+        // At its lowest the handle covers no words of the axes.
+        const covered = await value(`diagram.svg.querySelectorAll('text.axis').values().filter((words) => {
+            ${figure}.diagram.want(-99);
+            const [a, b] = [words, ${figure}.diagram.handle].map((shape) => shape.getBoundingClientRect());
+            return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+        }).map(({ textContent }) => textContent).toArray()`);
+        expect(!covered.length, `${subject}: the handle covers ${covered}`);
         await value(`diagram.points.querySelector('[tabindex="0"]').focus()`);
         await chromium.key('ArrowRight');
         await chromium.until(`!${figure}.shown.hidden && ${figure}.caption.textContent.startsWith(document.activeElement.getAttribute('aria-label'))`);
