@@ -18,7 +18,7 @@ live.Extremes = class {
         this.shown = live.element('figcaption');
         this.poster = live.poster(image.src);
         const beside = live.div('live-beside', this.canvas, live.div('live-both', live.element('span', {}, 'protocol’s'), live.element('span', {}, 'ours')), this.shown);
-        const hint = 'The band is what the problem allows: how far its answer moves when the given numbers are rounded. Higher up, a formula loses digits that it could have kept. At the line “half” about eight of sixteen digits are wrong; at “none” there is no answer.';
+        const hint = 'The band is what the problem allows: how far its answer moves when the given numbers are rounded. Higher up, a formula loses digits that it could have kept. At “none” there is no answer; at “half”, a line where errors count in ulps, about eight of sixteen digits are wrong.';
         this.root = live.panel('Where does it break?', live.fold('How to read it', hint),
             live.div('live-controls', this.problem), this.question,
             live.div('live-drawings', this.drawing.svg, beside, this.poster),
@@ -100,7 +100,7 @@ live.Extremes = class {
         const at = this.place(breaks);
         this.turn(at);
         const { protocol, allowed } = this.errors;
-        return `${Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly' : 'No'}: at 10 to the ${breaks}, where the knob is now. There it ${this.off(protocol[at])}, and the problem allows ${this.count(allowed[at])}.`;
+        return `${Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly' : 'No'}: at 10 to the ${breaks}, to which the knob has moved. There it ${this.off(protocol[at])}, and the problem allows ${this.count(allowed[at])}.`;
     }
 
     count(error) {

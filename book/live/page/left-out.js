@@ -1,7 +1,7 @@
 // Switch it off: each omission of the lesson is a switch. Work is counted at once, the bytes are compared, and times
 // are measured in turns.
 live.LeftOut = class {
-    static scenes = ['a05-lighting-phong', 'a06-shadows-reflection-sphere', 'a07-transforms-box-transformations', 'a07-transforms-disc'];
+    static scenes = ['a06-shadows-reflection-sphere', 'a05-lighting-phong', 'a07-transforms-box-transformations', 'a07-transforms-disc'];
 
     constructor(heading) {
         // The editor's scene, in the link that leads here.
@@ -34,16 +34,27 @@ live.LeftOut = class {
         live.seen(this.root, () => (this.ready ??= this.open()));
     }
 
-    // Another scene or another renderer: all switches are on.
+    // Another scene or another renderer: all switches are on. Until its work is counted, nothing is shown of the one before.
     async open() {
+        const { key } = this;
         delete this.root.dataset.error;
         await this.run.forget();
         this.run.status.value = '';
+        for (const part of [this.question, this.switches, this.counts]) {
+            part.replaceChildren();
+        }
+        this.bytes.value = 'counting …';
+        let work;
         try {
-            this.work = await live.ask(`work ${this.scene.value}`, this.numbers());
+            work = await live.ask(`work ${this.scene.value}`, this.numbers());
         } catch (error) {
+            this.bytes.value = '';
             return this.complain(error);
         }
+        if (key !== this.key) {
+            return undefined;
+        }
+        this.work = work;
         const { text, bits, saved } = this.work;
         const [kinds, ...lines] = text.split('\n');
         this.kinds = kinds.split('\t');

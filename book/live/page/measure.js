@@ -59,6 +59,9 @@ live.Measure = class {
         this.guess = undefined;
         this.question.replaceChildren(live.question('Your guess: which one comes down to an error of 1/510, half a grey level, soonest on your machine?', names, (index) => {
             this.guess = names[index];
+            if (this.name) {
+                this.run.status.value = '';
+            }
             this.draw();
             return this.points.length ? 'See below.' : 'Measure, and see.';
         }));
@@ -139,7 +142,7 @@ live.Measure = class {
         const sure = {
             0: 'no measured method reaches it.',
             1: `${soonest[0]} is soonest${this.isSure ? '' : ' so far'} (${verdict}): ${reached.length > 1 ? 'the intervals of the others begin more than a factor of 1.2 behind the end of its own' : 'no other method reaches it'}.`,
-        }[ties] ?? `${soonest.join(' or ')} (${verdict}): the interval of ${soonest[0]} overlaps the others, or ends less than a factor of 1.2 before they begin.`;
+        }[ties] ?? `not decided between ${soonest.join(', ')} (you guessed ${this.guess}): the interval of ${soonest[0]} overlaps the others, or ends less than a factor of 1.2 before they begin.`;
         return this.say(`An error of ${live.digits(error)}: ${sure}`, costs, [...(others.length ? [`Not reached by ${others.join(', ')}.`] : []), ...this.run.doubts()].join(' '));
     }
 

@@ -3,9 +3,10 @@ import { writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-// Cases of `extremes` that are points of a problem, with their powers of ten.
+// Cases of `extremes` that are points of a problem, with their powers of ten. The rays of cases are along an axis, that
+// of the far ball is not.
 const CASES = {
-    distance: { stage: 'a04', A45: 4, A46: 8, A47: 12 },
+    distance: { stage: 'a04' },
     tangent: { stage: 'a04', A43: -4, A44: -8, A21: -16 },
     needle: { stage: 'a04', D30: 2, D31: 5, D08: 8 },
     angle: { stage: 'a02', F40: -4, F03: -8, F04: -12 },
