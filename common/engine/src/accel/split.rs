@@ -47,7 +47,7 @@ pub(super) fn by_sah(items: &mut [Item]) -> Option<usize> {
     let mut best: Option<(f32, usize, usize)> = None;
     for (axis, bins) in bins.iter().enumerate() {
         for (cost, split) in costs(&bins[..binning.count]) {
-            if best.is_none_or(|(least, ..)| cost < least) {
+            if best.is_none_or(|(least, ..)| cost.total_cmp(&least).is_lt()) {
                 best = Some((cost, axis, split));
             }
         }
