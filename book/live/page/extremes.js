@@ -18,7 +18,7 @@ live.Extremes = class {
         this.shown = live.element('figcaption');
         this.poster = live.poster(image.src);
         const beside = live.div('live-beside', this.canvas, live.div('live-both', live.element('span', {}, 'protocol’s'), live.element('span', {}, 'ours')), this.shown);
-        const hint = 'The band is what the problem allows: how far its answer moves when the given numbers are rounded. Higher up, a formula loses digits that it could have kept. At “none” there is no answer; at “half”, a line where errors count in ulps, about eight of sixteen digits are wrong.';
+        const hint = 'The band is what the problem allows: how far its answer moves when the given numbers are rounded. Higher up, a formula loses digits that it could have kept. At “half” about eight of sixteen digits are wrong; at “none” there is no answer.';
         this.root = live.panel('Where does it break?', live.fold('How to read it', hint),
             live.div('live-controls', this.problem), this.question,
             live.div('live-drawings', this.drawing.svg, beside, this.poster),
@@ -83,7 +83,8 @@ live.Extremes = class {
 
     // A prediction first, by the knob; then the protocol's curve and digits show.
     ask(problem) {
-        const text = `At which power of ten has the protocol’s formula lost half of its digits? It computes ${problem.computes}. Turn the knob to your guess.`;
+        const isLost = problem.unit === 'ulp' ? 'has lost half of its digits' : 'is off by half a radius';
+        const text = `From which power of ten on is the answer of the protocol’s formula lost, because it ${isLost}? It computes ${problem.computes}. Turn the knob to your guess.`;
         return live.question(text, ['it breaks here', 'it never breaks'], (never) => {
             problem.isKnown = true;
             return this.verdict(never ? Infinity : this.power(this.knob.value));
@@ -99,8 +100,11 @@ live.Extremes = class {
         }
         const at = this.place(breaks);
         this.turn(at);
-        const { protocol, allowed } = this.errors;
-        return `${Math.abs(guess - breaks) <= 0.5 ? 'Yes, nearly' : 'No'}: at 10 to the ${breaks}, to which the knob has moved. There it ${this.off(protocol[at])}, and the problem allows ${this.count(allowed[at])}.`;
+        const { protocol, allowed, lost, powers } = this.errors;
+        // It may break on both sides of the harmless one.
+        const isLost = (error) => error > lost[0];
+        const isNear = powers.some((power, index) => index && isLost(protocol[index]) !== isLost(protocol[index - 1]) && Math.abs(guess - power) <= 0.5);
+        return `${isNear ? 'Yes, nearly' : 'No'}: at 10 to the ${breaks}, to which the knob has moved. There it ${this.off(protocol[at])}, and the problem allows ${this.count(allowed[at])}.`;
     }
 
     count(error) {
@@ -155,8 +159,8 @@ live.Extremes = class {
         pen.line([x(power), 0], [x(power), none], 'ink');
         pen.path([[0, 0], ...places(errors.allowed), [10, 0]], 'pale a', true);
         const levels = now.unit === 'ulp'
-            ? { '1 ulp': 1, '10⁴': 1e4, half: errors.broken[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity }
-            : { '10⁻¹⁶': 1e-16, '10⁻¹²': 1e-12, '10⁻⁸': 1e-8, '10⁻⁴': 1e-4, '1 radius': 1, none: Infinity };
+            ? { '1 ulp': 1, '10⁴': 1e4, half: errors.lost[0], '10¹²': 1e12, '10¹⁶': 1e16, none: Infinity }
+            : { '10⁻¹⁶': 1e-16, '10⁻¹²': 1e-12, '10⁻⁸': 1e-8, '10⁻⁴': 1e-4, '½ radius': errors.lost[0], none: Infinity };
         pen.grid(1, Object.entries(levels).map(([words, error]) => [y(error), words]));
         const steps = Math.abs(now.last - now.first) > 50 ? 100 : 4;
         const ticks = errors.powers.filter((tick) => tick % steps === 0);

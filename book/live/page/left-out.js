@@ -94,7 +94,7 @@ live.LeftOut = class {
         const choices = [...omissions.map((_, index) => index + 1), 'none'];
         const right = most ? choices.filter((_, index) => sums[index] === most) : ['none'];
         const because = most ? right.map((choice) => `${choice} saves ${this.inWords(omissions[choice - 1].saved)}`).join(', and ') : 'this scene needs all of the work';
-        return live.question('Which switch saves most rays, tests and powers in this scene?', choices, (guess) => {
+        return live.question('Which switch saves most in this scene, if a ray, a test and a power count alike?', choices, (guess) => {
             this.answered.add(key);
             this.update();
             return `${right.includes(choices[guess]) ? 'Yes' : 'No'}: ${because}.`;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use common::Error;
 use measure::extremes::{AgainstProtocol, Outcome};
-use measure::sweep::{HALF_OF_THE_DIGITS, Point, Sweep, ten_to};
+use measure::sweep::{Point, Sweep, ten_to};
 
 use crate::{Answered, Reply};
 
@@ -73,7 +73,7 @@ fn curves(sweep: &Sweep) -> Reply {
     let list = |error: fn(&Point) -> f64| -> Vec<f64> {
         let errors = points
             .iter()
-            .map(|point| error(point) * unit_of(sweep, point));
+            .map(|point| error(point) * sweep.drawn_ulp(point));
         errors.collect()
     };
     Reply::default()
@@ -82,7 +82,7 @@ fn curves(sweep: &Sweep) -> Reply {
         .with("ours", list(|point| point.error(point.found.ours)))
         .with("protocol", list(|point| point.error(point.found.theirs)))
         .with("breaks", sweep.breaks_at())
-        .with("broken", [HALF_OF_THE_DIGITS])
+        .with("lost", [sweep.lost()])
 }
 
 /// The text has a line for each of the exact answer, the protocol's and ours.
@@ -101,23 +101,15 @@ fn point(sweep: &Sweep, power: f64) -> Reply {
     .with("right", right)
     .with(
         "errors",
-        [theirs, ours].map(|found| point.error(found) * unit_of(sweep, &point)),
+        [theirs, ours].map(|found| point.error(found) * sweep.drawn_ulp(&point)),
     )
-    .with("allowed", [point.allowed() * unit_of(sweep, &point)])
+    .with("allowed", [point.allowed() * sweep.drawn_ulp(&point)])
     .with("value", [ten_to(power)])
     .with("size", [f64::from(2 * PANEL + GAP), f64::from(PANEL)])
 }
 
 fn ulp_of(point: &Point) -> f64 {
     measure::extremes::ulp(point.size)
-}
-
-/// The unit in the last place of the answer in the unit in which errors are drawn.
-fn unit_of(sweep: &Sweep, point: &Point) -> f64 {
-    match sweep.unit {
-        Some(_) => ulp_of(point),
-        None => 1.0,
-    }
 }
 
 /// How many of the letters of a number are right: up to the last digit of which half a unit is more than the error.
@@ -189,6 +181,6 @@ pub fn errors(name: &str, answers: &[f64]) -> Answered {
     let points = sweep.powers().map(|power| sweep.point(power));
     let errors = points
         .zip(answers)
-        .map(|(point, answer)| point.error(Some(answer * point.factor)) * unit_of(sweep, &point));
+        .map(|(point, answer)| point.error(Some(answer * point.factor)) * sweep.drawn_ulp(&point));
     Ok(Reply::default().with("yours", errors.collect::<Vec<_>>()))
 }

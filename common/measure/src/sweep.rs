@@ -108,11 +108,29 @@ impl Sweep {
         (self.at)(ten_to(power))
     }
 
-    /// The power, nearest to the harmless one, at which the protocol's formula has lost half of its digits.
+    /// A unit in the last place of a point's answer, in what errors are drawn in.
+    #[must_use]
+    pub fn drawn_ulp(&self, point: &Point) -> f64 {
+        match self.unit {
+            Some(_) => ulp(point.size),
+            None => 1.0,
+        }
+    }
+
+    /// The error, as drawn, of an answer that is lost: half of its digits, or half of the unit.
+    #[must_use]
+    pub const fn lost(&self) -> f64 {
+        match self.unit {
+            Some(_) => 0.5,
+            None => HALF_OF_THE_DIGITS,
+        }
+    }
+
+    /// The power, nearest to the harmless one, at which the protocol's answer is lost.
     pub fn breaks_at(&self) -> Option<f64> {
         let is_broken = |power: &f64| {
             let point = self.point(*power);
-            point.error(point.found.theirs) > HALF_OF_THE_DIGITS
+            point.error(point.found.theirs) * self.drawn_ulp(&point) > self.lost()
         };
         let from_harmless = |power: &f64| (power - self.harmless).abs();
         let broken = self.powers().filter(is_broken);
@@ -121,7 +139,7 @@ impl Sweep {
 }
 
 /// An error of 25 of the 53 binary digits, in units in the last place: less than eight decimal ones are left.
-pub const HALF_OF_THE_DIGITS: f64 = 33_554_432.0;
+const HALF_OF_THE_DIGITS: f64 = 33_554_432.0;
 
 /// Ten to a power. A whole power is the double that is nearest to it.
 pub fn ten_to(power: f64) -> f64 {
