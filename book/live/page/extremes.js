@@ -35,7 +35,7 @@ live.Extremes = class {
         const answer = await live.ask('sweeps');
         const ranges = live.rows(answer, 'range');
         this.problems = live.lines(answer.text).map((problem, index) => ({ ...problem, ...ranges[index] }));
-        this.problem.append(...this.problems.map(({ parameter }, value) => live.element('option', { value }, parameter.replace(/,.*| of radius 1$/, ''))));
+        this.problem.append(...this.problems.map(({ name }, value) => live.element('option', { value }, name)));
         await this.choose();
     }
 

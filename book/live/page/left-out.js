@@ -1,20 +1,25 @@
 // Switch it off: each omission of the lesson is a switch. Work is counted at once, the bytes are compared, and times
 // are measured in turns.
 live.LeftOut = class {
-    static scenes = ['a06-shadows-reflection-sphere', 'a05-lighting-phong', 'a07-transforms-box-transformations', 'a07-transforms-disc'];
+    // Their names in the module, and for the reader.
+    static scenes = [
+        ['a06-shadows-reflection-sphere', 'sphere, of stage 6'],
+        ['a05-lighting-phong', 'phong, of stage 5'],
+        ['a07-transforms-box-transformations', 'box-transformations, of stage 7'],
+        ['a07-transforms-disc', 'disc, of stage 7'],
+    ];
 
     constructor(heading) {
         // The editor's scene, in the link that leads here.
         const linked = live.linkedScene();
         const own = linked ? [[linked, 'the scene of the editor']] : [];
         const { textContent } = document.querySelector('main code.language-toml');
-        const scenes = live.LeftOut.scenes.map((name) => [name, name.replace(/-(lighting|shadows-reflection|transforms)-/, ' ')]);
-        this.scene = live.select('scene', [...own, ...scenes, [`file\n${textContent}`, 'a hundred balls, as below']], () => this.open());
+        this.scene = live.select('scene', [...own, ...live.LeftOut.scenes, [`file\n${textContent}`, 'a hundred balls, as below']], () => this.open());
         this.engine = live.element('input', { type: 'checkbox', onchange: () => this.open() });
         this.question = live.div('live-asked');
         this.switches = live.element('ol', { className: 'live-switches' });
         this.canvas = live.element('canvas', { role: 'img', width: 96, height: 72 });
-        this.poster = live.poster(`pictures/${live.LeftOut.scenes[0]}.png`);
+        this.poster = live.poster(`pictures/${live.LeftOut.scenes[0][0]}.png`);
         this.bytes = live.element('output');
         this.counts = live.element('table', { className: 'live-counts' });
         this.run = new live.Run('time it, in turns', () => this.compare());
@@ -82,7 +87,7 @@ live.LeftOut = class {
     }
 
     inWords(counts) {
-        const words = this.kinds.flatMap((kind, index) => (counts[index] ? [`${counts[index].toLocaleString('en')} ${kind.replace('intersection ', '')}`] : []));
+        const words = this.kinds.flatMap((kind, index) => (counts[index] ? [`${counts[index].toLocaleString('en')} ${kind}`] : []));
         return words.join(', ') || 'nothing';
     }
 

@@ -52,6 +52,9 @@ pub fn run_with(
 fn one_hyphen(word: &OsString) -> Option<String> {
     let word = word.to_str()?;
     let flag = word.strip_prefix(['-', '–', '—'])?;
+    if flag.starts_with('-') {
+        return None;
+    }
     let (name, _) = flag.split_once('=').unwrap_or((flag, ""));
     let is_flag = |command: &clap::Command| {
         let mut flags = command.get_arguments();

@@ -119,16 +119,21 @@ impl Judgement<'_> {
     #[must_use]
     pub fn summary(&self) -> String {
         let [right, all] = [self.right().len(), self.states.len()];
-        let count = match right {
-            0 => "",
-            _ if self.passed() > 0 => "",
-            _ => ", and none counts yet",
+        let count = if self.none_counts() {
+            ", and none counts yet"
+        } else {
+            ""
         };
         format!("{right} of {all} facts hold{count}")
     }
 
+    /// Whether facts hold, and pictures of one colour would fulfil all of these.
+    pub(crate) fn none_counts(&self) -> bool {
+        self.passed() == 0 && !self.right().is_empty()
+    }
+
     /// The facts that hold.
-    pub(crate) fn right(&self) -> Vec<&Fact> {
+    fn right(&self) -> Vec<&Fact> {
         let mut right = Vec::new();
         for (fact, state) in self.sheet.facts.iter().zip(&self.states) {
             if let State::Right(_) = state {

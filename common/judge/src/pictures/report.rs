@@ -105,7 +105,7 @@ impl Judgement<'_> {
             };
             let _ = writeln!(list, "{word:9}  {:longest$}  {}", fact.name, fact.says);
         }
-        if self.passed() == 0 && !self.right().is_empty() {
+        if self.none_counts() {
             let mut counting = Vec::new();
             for fact in &self.sheet.facts {
                 if fact.quantity.needs_two_colors() {
